@@ -1,13 +1,11 @@
-//! Errors: what the caller got wrong, with the field and the value named.
+//! Input errors, which name field and value.
 //!
-//! One type for all of the library's input. Errors of a room of their own wrap it (`SimError`,
-//! `ReynoldsError`, `SurfaceError`). Fields are named as the user writes them: keys of a scene with their
-//! path, arguments by their name.
+//! One type for all input of the library. Module errors wrap it (`SimError`, `ReynoldsError`, `SurfaceError`). Fields
+//! have the names that users write: scene keys with their path, arguments by name.
 
 use thiserror::Error;
 
-/// An input that cannot be used: a value out of range, a field of the wrong shape, a number that is not
-/// finite.
+/// An invalid input: a value out of range, a field of the wrong shape, a value that is not finite.
 ///
 /// # Examples
 ///
@@ -25,7 +23,7 @@ pub enum InputError {
     Value {
         /// The field as the user wrote it, for example `load.force`.
         field: String,
-        /// The value that was given.
+        /// The given value.
         value: f64,
         /// The valid range in words.
         requirement: &'static str,
@@ -35,9 +33,9 @@ pub enum InputError {
     Shape {
         /// Name of the argument.
         field: String,
-        /// Number of values that would fit.
+        /// Number of values required.
         expected: usize,
-        /// Number of values that were given.
+        /// Number of values given.
         found: usize,
     },
     /// A field holds a value that is not finite.
@@ -55,21 +53,21 @@ pub enum InputError {
     Conflict {
         /// The field or pair of fields.
         field: String,
-        /// What is wrong with it.
+        /// The contradiction or missing value.
         reason: String,
     },
 }
 
-/// Digits of a number of everyday size, powers of ten of one beyond.
+/// A number of moderate size in decimal digits, otherwise with a power of ten.
 pub(crate) fn format_number(value: f64) -> String {
     let everyday = value == 0.0 || (1e-4..1e10).contains(&value.abs());
     if everyday { value.to_string() } else { format!("{value:e}") }
 }
 
-/// Characters of a word that messages quote.
+/// Most characters of a quoted word.
 const LONGEST_WORD: usize = 80;
 
-/// The text in one line, with the beginnings of words that are too long for a message.
+/// The text in one line, with long words truncated.
 pub(crate) fn escape(text: &str) -> String {
     let words = text.split_whitespace().map(|word| match word.char_indices().nth(LONGEST_WORD) {
         Some((end, _)) => format!("{}...", &word[..end]),
@@ -79,8 +77,8 @@ pub(crate) fn escape(text: &str) -> String {
 }
 
 impl InputError {
-    /// The error with the `path` of what holds the field before its name: `conductivity` of the part
-    /// `lubricant.thermal` is `lubricant.thermal.conductivity`.
+    /// The error with `path` before the field: `conductivity` in `lubricant.thermal` becomes
+    /// `lubricant.thermal.conductivity`.
     pub(crate) fn within(mut self, path: &str) -> Self {
         let (Self::Value { field, .. }
         | Self::Shape { field, .. }

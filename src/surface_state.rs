@@ -1,7 +1,7 @@
 //! The state of a surface node during a step: the input of film growth and wear laws.
 //!
-//! Points are computed for every node and step from the solved contact. A new quantity for laws is a field
-//! here and a line where `sim` fills the points.
+//! States are computed for every node and step from the solved contact. A new quantity for laws is a field here and a
+//! line where `sim` sets it.
 
 use crate::with_fields::with_fields;
 

@@ -12,41 +12,41 @@
 //! as far as the equation requires. [`Sample::classify`] finds the active set of a state of unknown origin; in
 //! steps of Newton's method the elimination of each node's own equations finds it.
 
-/// The fluid side of a node.
+/// Fluid state of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fluid {
-    /// On the outermost ring: no fluid pressure, whatever flows.
+    /// On the outermost ring: no fluid pressure, the balance does not hold.
     Boundary,
-    /// No fluid pressure; more fluid leaves than enters.
+    /// No fluid pressure; outflow at film fraction one exceeds the inflow.
     Cavitated,
     /// The mass balance holds.
     Active,
-    /// The fluid itself is at the pressure limit; the plastic depth makes the mass balance hold.
+    /// The fluid is at the pressure limit; the plastic depth satisfies the mass balance.
     AtLimit,
 }
 
-/// The solid side of a node.
+/// Solid state of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Solid {
     /// The film is thicker than the contact film; no solid pressure.
     Open,
     /// The film is the contact film.
     Contact,
-    /// Contact at the pressure limit: the plastic depth keeps the film at the contact film.
+    /// Contact at the pressure limit: the plastic depth holds the film at the contact film.
     Yielded,
 }
 
-/// The state of a node in the active set: the equation of both pairs that holds.
+/// State of a node in the active set: the equation of each pair that holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct NodeState {
-    /// Which condition of the fluid is the equality.
+    /// Fluid state: which condition is an equality.
     pub(super) fluid: Fluid,
-    /// Which condition of the solids is the equality.
+    /// Solid state: which condition is an equality.
     pub(super) solid: Solid,
 }
 
 impl NodeState {
-    /// A node of the outermost ring before its solid side is known.
+    /// A node of the outermost ring before its solid state is known.
     pub(super) const BOUNDARY: Self = Self { fluid: Fluid::Boundary, solid: Solid::Open };
 
     /// Whether the fluid pressure of the node is an unknown.
@@ -54,7 +54,7 @@ impl NodeState {
         self.fluid == Fluid::Active
     }
 
-    /// Whether the node is fluid alone, its pressure unknown.
+    /// Whether the node is open and its fluid pressure an unknown.
     pub(super) fn is_open_fluid(self) -> bool {
         self.fluid == Fluid::Active && self.solid == Solid::Open
     }
@@ -87,23 +87,23 @@ pub(super) struct Sample {
     pub(super) pressure: f64,
     /// Fluid pressure \[Pa\].
     pub(super) fluid_pressure: f64,
-    /// Film without the plastic depth of this solve.
+    /// Film without the plastic depth of this solve \[m\].
     pub(super) elastic_film: f64,
-    /// Film at which solids touch \[m\].
+    /// Contact film \[m\].
     pub(super) contact_film: f64,
     /// Pressure limit of the node \[Pa\].
     pub(super) limit: f64,
-    /// Pressure change that a relaxation of the mass balance asks for, `-F / diagonal`.
+    /// Pressure change by one relaxation of the mass balance, `-F / diagonal` \[Pa\].
     pub(super) fluid_push: f64,
-    /// Self-influence \[m/Pa\].
+    /// Influence coefficient of the node on itself \[m/Pa\].
     pub(super) own_influence: f64,
     /// Whether there is a lubricant.
     pub(super) lubricated: bool,
 }
 
 impl Sample {
-    /// The primal-dual rule: a multiplier plus its scaled constraint decides, so that a solution is a fixed
-    /// point and nodes do not chatter as they do when pressure and residual are tested one after the other.
+    /// The primal-dual rule: the sign of a multiplier plus its scaled constraint decides. A solution is then a fixed
+    /// point, and nodes do not alternate as they do if pressure and residual are tested in sequence.
     pub(super) fn classify(&self, previous: NodeState) -> NodeState {
         if previous.fluid == Fluid::AtLimit && self.fluid_pressure >= self.limit {
             return previous;

@@ -1,4 +1,4 @@
-//! Picks the solver by what the scene holds.
+//! Automatic choice of the solver.
 //!
 //! ```text
 //! no lubricant ───────────────────> Dry
@@ -7,7 +7,7 @@
 //! all else ───────────────────────> NewtonKrylov ──not converged, nothing touches──> SemiSystem
 //! ```
 //!
-//! Sweeps after Newton's method count only where they leave smaller residuals.
+//! Sweeps after Newton's method are accepted only if their residual is smaller.
 
 use super::multigrid::{HandOver, expects_full_film};
 use super::problem::{ContactDefinition, LubricatedContact};
@@ -18,36 +18,36 @@ use super::{
 use crate::report::{SolveReport, Status};
 use crate::solver_id::SolverId;
 
-/// Newton's method finishes for less what would take multigrid more cycles than these. It goes on from a state
-/// whose residual is below this; from one further away it starts with the state that was given.
+/// Newton's method takes over from multigrid after this number of cycles, which cost more than it does. It starts
+/// from their state if the residual is below this bound, otherwise from the given state.
 const HAND_OVER: HandOver = HandOver { cycles: 11, residual: 1.0 };
 
-/// On up to so many nodes Newton's method needs fewer convolutions than cycles do, and its factorisations cost
-/// little.
+/// Up to this number of nodes Newton's method needs fewer convolutions than multigrid cycles, and factorization is
+/// cheap.
 const FEW_NODES: usize = 64 * 64;
 
-/// Expected film over contact film above which solid contact on a smooth surface is the fault of the mesh;
-/// the minimum film is a quarter of the central one at least.
+/// Expected film over contact film above which solid contact of smooth surfaces is an error of the mesh; the
+/// minimum film is at least a quarter of the central film.
 const FILM_OVER_CONTACT: f64 = 10.0;
 
-/// [`Dry`] without a lubricant. [`Multigrid`] where a smooth full film is expected on more than 64 x 64
-/// nodes; [`NewtonKrylov`] finishes what that leaves above the tolerance, and solves all the rest. Where it
-/// does not converge although no solids touch, [`SemiSystem`] tries, which in solid contact would not. The
-/// report names the solver whose state was kept ([`SolverId::MultigridThenNewton`] if the second finished
-/// what the first began) and counts the work of all.
+/// Uses [`Dry`] without a lubricant. Uses [`Multigrid`] if a smooth full film is expected on more than 64 x 64
+/// nodes; [`NewtonKrylov`] continues if the tolerance is not reached, and solves all other contacts. If it does not
+/// converge and no solids touch, [`SemiSystem`] is tried, which would not converge in solid contact. The report
+/// names the solver whose state was kept ([`SolverId::MultigridThenNewton`] if Newton's method continued from
+/// multigrid) and sums the work of all.
 ///
-/// A smooth contact whose film by formula is ten times the contact film and more, but whose solids touch on
-/// this mesh, ends as [`Status::MeshTooCoarse`].
+/// A smooth contact whose film by formula is at least ten times the contact film, but whose solids touch on this
+/// mesh, ends as [`Status::MeshTooCoarse`].
 ///
-/// With [`ContactDefinition::UnifiedReynolds`] the hard contact is solved first: where nothing touches it is
-/// the answer, else [`SemiSystem`] starts from the state that was given.
+/// With [`ContactDefinition::UnifiedReynolds`] the hard contact is solved first. Without solid contact it is the
+/// solution; otherwise [`SemiSystem`] starts from the given state.
 ///
 /// # Examples
 ///
 /// ```
 /// use stribeck::SolverId;
 /// use stribeck::sim::{Scene, solve_contact};
-/// // Scenes ask this solver unless they name another one; reports name the one that was picked.
+/// // The default solver of scenes; reports name the one it has chosen.
 /// let mut scene = Scene::azam_2019(32);
 /// assert_eq!(solve_contact(&scene)?.report.solver, SolverId::NewtonKrylov);
 /// scene.lubricant = None;
@@ -59,31 +59,30 @@ const FILM_OVER_CONTACT: f64 = 10.0;
 pub struct Auto {
     /// For problems without a lubricant.
     dry: Dry,
-    /// For smooth full films; hands over what is slow.
+    /// For smooth full films; slow convergence ends in a hand-over.
     multigrid: Multigrid,
     /// For all other lubricated problems.
     newton: NewtonKrylov,
-    /// For the paper's contact, and for what Newton's method leaves where nothing touches.
+    /// For the paper's contact, and for full films on which Newton's method fails.
     sweeps: SemiSystem,
-    /// State to go back to where a solver has made nothing of it.
+    /// Saved state to return to if a solver fails.
     kept: Option<ContactState>,
-    /// State that a solve with the paper's contact was given.
+    /// Start of a solve with the paper's contact.
     paper_start: Option<ContactState>,
 }
 
 impl Auto {
-    /// A solver; each method makes its buffers when it is first used.
+    /// A solver; each method allocates its buffers at its first use.
     pub fn new() -> Self {
         Self::with_dry(Dry::new())
     }
 
-    /// A solver that takes a dry contact at the edge of the box as it is (see
-    /// [`Dry::allowing_edge_contact`]).
+    /// A solver that accepts a dry contact at the edge of the box (see [`Dry::allowing_edge_contact`]).
     pub fn allowing_edge_contact() -> Self {
         Self::with_dry(Dry::allowing_edge_contact())
     }
 
-    /// All solvers with their defaults beside this `dry` one.
+    /// All solvers with their defaults except `dry`.
     fn with_dry(dry: Dry) -> Self {
         Self {
             dry,
@@ -113,7 +112,7 @@ impl ContactSolver for Auto {
         state: &ContactState,
         stop: &StoppingRule,
     ) -> Result<(), ReynoldsError> {
-        // What a lubricated problem is not solved by, another solver takes over.
+        // Problems outside the scope of one solver go to the next one.
         if problem.lubricant.is_none() {
             self.dry.check(problem, state, stop)
         } else {
@@ -144,7 +143,7 @@ impl ContactSolver for Auto {
 }
 
 impl Auto {
-    /// The paper's contact: where nothing touches it is the hard one, else sweeps are all there is.
+    /// The paper's contact: the hard one if no solids touch, otherwise sweeps.
     fn paper(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -165,7 +164,7 @@ impl Auto {
         Ok(self.sweeps.solve(problem, state, stop)?.preceded_by(open))
     }
 
-    /// The hard contact: multigrid where it suits, Newton's method after it or in its place.
+    /// The hard contact: multigrid if suitable, followed or replaced by Newton's method.
     fn lubricated(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -178,7 +177,7 @@ impl Auto {
         let given = self.kept.get_or_insert_with(|| state.clone());
         given.clone_from(state);
         let first = match self.multigrid.solve(problem, state, stop) {
-            // A deformation model of the user's that knows no coarser grids.
+            // A custom deformation model without coarser grids.
             Err(ReynoldsError::WrongSolver { .. }) => return self.newton_then_sweeps(problem, state, stop),
             first => first?,
         };
@@ -200,7 +199,7 @@ impl Auto {
         Ok(second)
     }
 
-    /// Newton's method, then sweeps where it did not converge and nothing touches; the better state is kept.
+    /// Newton's method, then sweeps if it did not converge and no solids touch; the better state is kept.
     fn newton_then_sweeps(
         &mut self,
         problem: &mut LubricatedContact<'_>,

@@ -1,18 +1,18 @@
-//! The coupled state: what follows from pressures and approach, and how far it is from a solution.
+//! The coupled state: films, balances and active set of given pressures and approach, and their residuals.
 //!
-//! From the pressures `p` and the approach `delta` follow, in this order:
+//! Evaluation of pressures `p` and approach `delta`, in this order:
 //!
 //! 1. the elastic film `gap + K p - delta`, by one convolution (`evaluate`);
 //! 2. plastic depths and the film with them (`apply_plastic_depth`);
-//! 3. mobilities, contents and the net outflow `F` of every cell (`refresh`);
-//! 4. which condition holds at each node (`classify`), for which 2 and 3 may be done anew (`update`);
-//! 5. mass, load and complementarity residuals (`residuals`), which do not ask for 4.
+//! 3. mobilities, film fractions and the net outflow `F` of every cell (`refresh`);
+//! 4. the active set (`classify`), after which 2 and 3 may be repeated (`update`);
+//! 5. mass, load and complementarity residuals (`residuals`), independent of 4.
 //!
-//! All solvers, and [`Evaluation`](super::Evaluation) for those of others, measure a state by this alone. `F`
-//! is over entrainment speed and cell size: a film thickness.
+//! All solvers, and [`Evaluation`](super::Evaluation) for custom ones, measure a state with this module only. `F`
+//! is scaled by entrainment speed and cell size to a film thickness.
 //!
-//! Which files change what: the flow and its balances are `flow`, the sides of nodes `active_set`, the
-//! unknowns of a solve `state`. What a residual is, is decided here alone (`residuals`).
+//! The flow and its balances are in `flow`, node states in `active_set`, the unknowns of a solve in `state`.
+//! Residuals are defined here only (`residuals`).
 
 use super::active_set::{Fluid, NodeState, Sample, Solid};
 use super::flow::{Discretisation, NearField};
@@ -23,12 +23,12 @@ use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::Residuals;
 
-/// Share of the pressure limit within which a pressure counts as at it in the paper's contact. Relaxed steps
-/// of a share `w` towards the limit end where the next one is lost to rounding, short of it by `2^-53 / w`:
-/// this holds for `w` down to 1.1e-4.
+/// Relative distance below which a pressure counts as at the limit in the paper's contact. Steps relaxed by `w`
+/// stop short of the limit by `2^-53 / w`, where further ones are lost to rounding; this tolerance holds for `w`
+/// down to 1.1e-4.
 const LIMIT_ROUNDING: f64 = 1e-12;
 
-/// Cost of a convolution without padding in those on the padded grid: transforms of a quarter of the points.
+/// Cost of a convolution without padding over one on the padded grid, which has four times the points.
 pub(super) const UNPADDED: f64 = 0.25;
 
 /// Elastic film, mass balances and active set of a [`ContactState`].
@@ -40,16 +40,16 @@ pub(super) struct Coupled {
     pub(super) elastic_film: Vec<f64>,
     /// `F` of every interior node \[m\].
     pub(super) balance: Vec<f64>,
-    /// Which condition holds at each node.
+    /// State of each node.
     pub(super) active_set: Vec<NodeState>,
     /// Influence coefficients of the node itself and of the next two along x \[m/Pa\].
     pub(super) near: NearField,
-    /// In equivalents of one on the padded grid.
+    /// Number of convolutions in equivalents of one on the padded grid.
     pub(super) convolutions: f64,
 }
 
 impl Coupled {
-    /// Buffers for `grid`; all interior nodes are without pressure.
+    /// Buffers for `grid`, with all interior nodes cavitated and open.
     pub(super) fn new(grid: Grid) -> Self {
         let mut active_set = vec![NodeState::BOUNDARY; grid.len()];
         for k in interior(&grid) {
@@ -65,7 +65,7 @@ impl Coupled {
         }
     }
 
-    /// Takes over the schemes and the elastic response of `problem`, and forgets sides and counts.
+    /// Sets schemes and elastic response of `problem`; resets active set and counts.
     pub(super) fn configure(&mut self, problem: &LubricatedContact<'_>) {
         let influence = |di, dj| problem.deformation.influence(di, dj);
         self.near = NearField { own: influence(0, 0), next_x: influence(1, 0), second_x: influence(2, 0) };
@@ -77,7 +77,7 @@ impl Coupled {
         }
     }
 
-    /// Begins with a state of unknown origin: films, sides of the nodes and balances; one convolution.
+    /// Evaluates a state of unknown origin: films, active set and balances; one convolution.
     pub(super) fn begin(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -90,8 +90,7 @@ impl Coupled {
         Ok(())
     }
 
-    /// Marks the nodes whose fluid is at the limit in `state`: they keep their plastic depths when it is
-    /// evaluated.
+    /// Marks the nodes whose fluid is at the limit in `state`: their plastic depths are kept when it is evaluated.
     fn recall_limited(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
         if problem.lubricant.is_none() || problem.is_paper() {
             return;
@@ -125,23 +124,24 @@ impl Coupled {
         }
         problem.deformation.displacement(&state.pressure, &mut self.elastic_film)?;
         self.convolutions += 1.0;
+        // Elastic film: gap plus displacement minus approach.
         for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
             *h += gap - state.approach;
         }
         Ok(())
     }
 
-    /// Plastic depths, fluid quantities and balances that follow from the active set; no convolution.
+    /// Plastic depths, fluid quantities and balances from the active set; no convolution.
     pub(super) fn update(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         self.apply_plastic_depth(problem, state);
         self.refresh(problem, state);
     }
 
-    /// Keeps yielded contact at the contact film and the film of every node consistent with its depth.
+    /// Keeps yielded contact at the contact film, and the film of each node consistent with its plastic depth.
     pub(super) fn apply_plastic_depth(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let contact_film = problem.contact_film();
         if problem.is_paper() {
-            // The overlap of nodes at the limit is flattened after the solve and does not enter it.
+            // The overlap of nodes at the limit is flattened after the solve and not part of it.
             for (k, &film) in self.elastic_film.iter().enumerate() {
                 let at_limit = is_at_limit(problem, k, state.pressure[k]);
                 state.plastic_depth[k] = if at_limit { (-film).max(0.0) } else { 0.0 };
@@ -150,6 +150,7 @@ impl Coupled {
             return;
         }
         for (k, side) in self.active_set.iter().enumerate() {
+            // At the limit the plastic depth of the fluid is an unknown; that of solids closes the gap.
             state.plastic_depth[k] = if side.fluid == Fluid::AtLimit {
                 state.plastic_depth[k].max(0.0)
             } else if state.pressure[k] >= problem.limit_at(k) {
@@ -161,7 +162,7 @@ impl Coupled {
         }
     }
 
-    /// Fluid quantities and balances from the films and pressures as they are.
+    /// Fluid quantities and balances from the present films and pressures.
     pub(super) fn refresh(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let Some(lubricant) = problem.lubricant else {
             state.mass.fill(0.0);
@@ -172,7 +173,7 @@ impl Coupled {
         for (k, mass) in state.mass.iter_mut().enumerate() {
             *mass = self.fluid.held_mass(k);
         }
-        state.theta.copy_from_slice(self.fluid.content());
+        state.theta.copy_from_slice(self.fluid.film_fractions());
     }
 
     /// Fluid quantities and balances of a flow through `film`.
@@ -190,10 +191,11 @@ impl Coupled {
         }
     }
 
-    /// Sorts the nodes.
+    /// Determines the active set.
     pub(super) fn classify(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
         let lubricated = problem.lubricant.is_some();
         for k in 0..self.active_set.len() {
+            // Pressure change that would satisfy the mass balance.
             let fluid_push = if lubricated && self.active_set[k].fluid != Fluid::Boundary {
                 -self.balance[k] / self.fluid.diagonal(k, self.near)
             } else {
@@ -216,8 +218,7 @@ impl Coupled {
         }
     }
 
-    /// Residuals of the state as evaluated, by the pressures and films alone: the sides of nodes play no
-    /// part.
+    /// Residuals of the evaluated state from pressures and films only, independent of the active set.
     pub(super) fn residuals(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> Residuals {
         let grid = self.fluid.grid;
         let (half_x, half_y) = problem.reference_half_widths;
@@ -227,10 +228,11 @@ impl Coupled {
         let previous = problem.squeeze.map(|s| s.previous_mass);
         let (mut mass, mut build_up, mut gap_error) = (0.0, 0.0, 0.0);
         for (k, side) in self.active_set.iter().enumerate() {
+            // Mass: imbalance of the cell, or accumulation in a cavitated cell.
             let (p, fluid_p, film) = (state.pressure[k], state.fluid_pressure[k], state.film[k]);
             if problem.lubricant.is_some() && side.fluid != Fluid::Boundary {
                 if problem.is_paper() && is_at_limit(problem, k, p) {
-                    // Cut at the limit: the fluid would push harder.
+                    // Clipped at the limit: the fluid pressure would be higher.
                     mass += self.balance[k].max(0.0);
                 } else if self.fluid.conserves_mass() {
                     mass += self.fluid.imbalance(k, previous).abs();
@@ -243,9 +245,11 @@ impl Coupled {
             if problem.is_paper() {
                 continue;
             }
+            // Complementarity: gap error in solid contact, penetration elsewhere.
             let touches = p > fluid_p;
             gap_error += if touches { (film - contact_film).abs() } else { (contact_film - film).max(0.0) };
         }
+        // Scale by the flux of the mean film and by its volume in the contact.
         let per_flux = grid.dy() / self.flux_scale(problem, film_scale * 2.0 * half_y);
         let per_area = grid.cell_area() / (film_scale * std::f64::consts::PI * half_x * half_y);
         Residuals {
@@ -255,8 +259,8 @@ impl Coupled {
         }
     }
 
-    /// The flux over the speed \[m^2\] that mass residuals are scaled with: that of the mean film through the
-    /// contact width, `through_contact`, or what flows into the box where that is less and nothing is squeezed.
+    /// Flux over speed \[m^2\] that scales mass residuals: that of the mean film through the contact width,
+    /// `through_contact`, or the inflow of the box if that is smaller and there is no squeeze.
     fn flux_scale(&self, problem: &LubricatedContact<'_>, through_contact: f64) -> f64 {
         if problem.lubricant.is_none() || problem.squeeze.is_some() {
             return through_contact;
@@ -265,7 +269,7 @@ impl Coupled {
         if inflow > 0.0 { through_contact.min(inflow) } else { through_contact }
     }
 
-    /// Pressure-weighted mean film, or mean elastic displacement where there is no lubricant.
+    /// Pressure-weighted mean film, or mean elastic displacement without lubricant.
     fn film_scale(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> f64 {
         let (mut sum, mut weight) = (0.0, 0.0);
         for (k, &p) in state.pressure.iter().enumerate() {
@@ -280,7 +284,7 @@ impl Coupled {
         if weight > 0.0 && sum > 0.0 { sum / weight } else { f64::MIN_POSITIVE }
     }
 
-    /// Writes the contact flags of the state; in the paper's contact also which pressure is called solid.
+    /// Sets the contact flags of the state; in the paper's contact also the division into fluid and solid pressure.
     pub(super) fn mark_contact(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         if problem.is_paper() {
             for (k, flag) in state.in_contact.iter_mut().enumerate() {
@@ -295,7 +299,7 @@ impl Coupled {
     }
 }
 
-/// Whether pressure `p` is at the limit of node `k`, or short of it by what [`LIMIT_ROUNDING`] allows.
+/// Whether pressure `p` is at the limit of node `k` within [`LIMIT_ROUNDING`].
 fn is_at_limit(problem: &LubricatedContact<'_>, k: usize, p: f64) -> bool {
     problem.pressure_limit.is_some_and(|limit| reaches_limit(p, limit[k]))
 }

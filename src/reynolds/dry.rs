@@ -1,9 +1,8 @@
-//! Dry contact: as a solver of its own and as the start of the lubricated ones.
+//! Dry contact: a solver, and the start of lubricated solvers.
 //!
-//! The solver is that of `elastic`; here it gets the gap, the load and the pressure limit of a lubricated
-//! problem and writes a `ContactState`. As a start of a lubricated solve it puts the bodies apart by the
-//! contact film, or, where the expected film is more than twice the mean dry gap, by that film with all of
-//! the pressure in the fluid.
+//! The solver in `elastic` gets gap, load and pressure limit of the problem, and its result is written to a
+//! `ContactState`. As a start of a lubricated solve the bodies are moved apart by the contact film. If the expected
+//! film exceeds twice the mean dry gap, they are moved apart by that film, with all pressure in the fluid.
 
 use super::coupled::Coupled;
 use super::problem::{LubricatedContact, interior};
@@ -14,12 +13,12 @@ use crate::grid::Grid;
 use crate::report::{SolveReport, Status, Work};
 use crate::solver_id::SolverId;
 
-/// Reference film over mean dry gap above which a start is fluid.
+/// Expected film over mean dry gap above which a start has fluid pressure only.
 const FILM_OVER_GAP: f64 = 2.0;
 /// Active-set passes of a start.
 const START_PASSES: u64 = 40;
 
-/// The dry contact of a problem, whatever its lubricant, written into a state.
+/// The dry contact of a problem with or without lubricant, written to a state.
 #[derive(Debug)]
 pub(super) struct DryStart {
     /// Active-set conjugate gradients.
@@ -32,7 +31,7 @@ impl DryStart {
         Self { solver: DrySolver::new(grid.len()) }
     }
 
-    /// Solves to a gap error of `tolerance`: node sides still change in the lubricated solve.
+    /// Solves to a gap error of `tolerance`: the lubricated solve changes the active set anyway.
     pub(super) fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -41,7 +40,7 @@ impl DryStart {
     ) -> Result<Work, ReynoldsError> {
         let outcome = self.solve(problem, state, tolerance, START_PASSES)?;
         if problem.reference_film > FILM_OVER_GAP * self.mean_gap(problem) {
-            // A film thicker than what the dry surfaces leave between them carries the load as fluid.
+            // The expected film is thicker than the dry gap: the fluid carries the load.
             for k in interior(&problem.grid()) {
                 state.fluid_pressure[k] = state.pressure[k];
             }
@@ -63,8 +62,7 @@ impl DryStart {
         sum / n.max(1) as f64
     }
 
-    /// Solves the dry problem and writes pressures and approach; from a Hertzian pressure where `state` has
-    /// none.
+    /// Solves the dry problem and writes pressures and approach. If `state` has no pressure, the start is Hertzian.
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -84,7 +82,7 @@ impl DryStart {
         }
         state.fluid_pressure.fill(0.0);
         state.plastic_depth.fill(0.0);
-        // The lubricated film counts from the contact film, so the bodies are that much farther apart.
+        // The lubricated film is measured from the contact film: move the bodies apart by it.
         state.approach = outcome.approach - problem.contact_film();
         Ok(outcome)
     }
@@ -104,8 +102,8 @@ pub(super) fn hertzian_on(grid: &Grid, problem: &LubricatedContact<'_>, pressure
     }
 }
 
-/// Dry contact by active-set conjugate gradients; a lubricant in the problem is an error, and so is a contact
-/// that reaches the edge of the box: the bodies would touch beyond it, and what they carry there is residual.
+/// Dry contact by active-set conjugate gradients. A lubricant in the problem is an error. So is a contact at the
+/// edge of the box, because the contact outside of it would be missing.
 ///
 /// # Examples
 ///
@@ -129,33 +127,33 @@ pub(super) fn hertzian_on(grid: &Grid, problem: &LubricatedContact<'_>, pressure
 /// ```
 #[derive(Debug, Default)]
 pub struct Dry {
-    /// Whether a contact that reaches the edge of the box is taken as it is.
+    /// Whether contact at the edge of the box is accepted.
     edge_contact: bool,
-    /// Buffers, made at the first solve.
+    /// Buffers, allocated at the first solve.
     workspace: Option<Box<(DryStart, Coupled)>>,
 }
 
 impl Clone for Dry {
-    /// The copy makes buffers of its own at its first solve.
+    /// The clone allocates its buffers at its first solve.
     fn clone(&self) -> Self {
         Self { edge_contact: self.edge_contact, workspace: None }
     }
 }
 
 impl Dry {
-    /// A solver; buffers are made at the first solve and kept.
+    /// A solver; buffers are allocated at the first solve and kept.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A solver that takes the box as it is, contact at its edge or not.
+    /// A solver that accepts contact at the edge of the box.
     pub fn allowing_edge_contact() -> Self {
         Self { edge_contact: true, workspace: None }
     }
 }
 
-/// Error if a node of the outermost ring or next to it carries pressure.
-fn refuse_edge_contact(grid: &Grid, state: &ContactState) -> Result<(), ReynoldsError> {
+/// Error if a node of the two outermost rings carries pressure.
+fn reject_edge_contact(grid: &Grid, state: &ContactState) -> Result<(), ReynoldsError> {
     let (nx, ny) = (grid.nx(), grid.ny());
     for k in 0..grid.len() {
         let (i, j) = (k % nx, k / nx);
@@ -197,8 +195,8 @@ impl ContactSolver for Dry {
         let kept = self.workspace.take().filter(|w| w.1.fluid.grid == grid);
         let workspace = kept.unwrap_or_else(|| Box::new((DryStart::new(grid), Coupled::new(grid))));
         let (start, coupled) = &mut **self.workspace.insert(workspace);
-        // The report averages gap errors over the reference ellipse, the solver over the real contact, which
-        // may be larger.
+        // The report averages gap errors over the reference ellipse, the solver over the real contact, which may be
+        // larger.
         let (half_x, half_y) = problem.reference_half_widths;
         let share = std::f64::consts::PI * half_x * half_y / (grid.size_x() * grid.size_y());
         let tolerance = stop.tolerance * share.min(1.0);
@@ -217,7 +215,7 @@ impl ContactSolver for Dry {
             Status::MaxIterations
         };
         if status == Status::Converged && !self.edge_contact {
-            refuse_edge_contact(&grid, state)?;
+            reject_edge_contact(&grid, state)?;
         }
         let work = Work {
             convolutions: outcome.convolutions + coupled.convolutions,

@@ -1,4 +1,4 @@
-//! What follows from the pressures of a state: for solvers of one's own.
+//! Evaluation of a state, for custom solvers.
 
 use super::coupled::Coupled;
 use super::flow::{FilmFlows, FlowBalance};
@@ -8,8 +8,8 @@ use super::{ReynoldsError, StoppingRule, check_call};
 use crate::grid::Grid;
 use crate::report::Residuals;
 
-/// Films and residuals of a state as all solvers of the crate compute them, so that a solver of one's own
-/// reports the same numbers. Owns its buffers; an evaluation allocates nothing.
+/// Films and residuals of a state as all solvers of the crate compute them, so that custom solvers report the same
+/// values. Owns its buffers; an evaluation allocates nothing.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -29,7 +29,7 @@ use crate::report::Residuals;
 /// ```
 #[derive(Debug)]
 pub struct Evaluation {
-    /// What the solvers of the crate measure states with.
+    /// The evaluation shared by all solvers.
     coupled: Coupled,
 }
 
@@ -46,8 +46,8 @@ impl Evaluation {
         Self { coupled: Coupled::new(grid) }
     }
 
-    /// What flows into the box and out of it at the pressures and films of `state` as they are; none without
-    /// a lubricant. No elastic displacement.
+    /// Flow balance of the box at the pressures and films of `state`; `None` without a lubricant. Computes no elastic
+    /// displacement.
     ///
     /// # Errors
     /// As of [`evaluate`](Self::evaluate).
@@ -61,9 +61,9 @@ impl Evaluation {
         Ok(is_lubricated.then(|| self.coupled.fluid.flow_balance(previous)))
     }
 
-    /// Overwrites `flows` with those through the cells at the pressures and films of `state` as they are, by
-    /// the face law and the entrainment of the problem; zeros without a lubricant. Returns what
-    /// [`flow_balance`](Self::flow_balance) does. No elastic displacement.
+    /// Overwrites `flows` with the flows through the cells at the pressures and films of `state`, by face mobility and
+    /// entrainment scheme of the problem; zeros without a lubricant. Returns the same as
+    /// [`flow_balance`](Self::flow_balance). Computes no elastic displacement.
     ///
     /// # Errors
     /// As of [`evaluate`](Self::evaluate).
@@ -82,7 +82,7 @@ impl Evaluation {
         Ok(balance)
     }
 
-    /// Takes over the fluid of `state`; whether there is any.
+    /// Updates the fluid from `state`. Returns whether there is any.
     fn update(
         &mut self,
         problem: &LubricatedContact<'_>,
@@ -111,10 +111,10 @@ impl Evaluation {
         Ok(())
     }
 
-    /// Overwrites film, plastic depth, mass, content and contact flags of `state`, in the paper's contact its
-    /// fluid pressure too, with those that follow from its pressures and approach, and returns how far it is
-    /// from a solution; one elastic displacement. Where the fluid itself is at the pressure limit the plastic
-    /// depth is an unknown of its own, and stays.
+    /// Overwrites film, plastic depth, mass, film fraction and contact flags of `state` (in the paper's contact the
+    /// fluid pressure too) with those of its pressures and approach, and returns its residuals; one elastic
+    /// displacement. If the fluid itself is at the pressure limit, the plastic depth is an independent unknown and
+    /// kept.
     ///
     /// # Errors
     /// A problem or a state that breaks the contract of [`LubricatedContact`], or one of another grid.

@@ -1,4 +1,4 @@
-//! The coupled problem that is handed to a solver.
+//! The coupled contact problem.
 
 use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning, require_spin};
 use crate::elastic::DeformationModel;
@@ -7,7 +7,7 @@ use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
 
-/// What solid contact is in a lubricated contact.
+/// Definition of solid contact in a lubricated contact.
 ///
 /// # Examples
 ///
@@ -25,19 +25,19 @@ use crate::with_fields::with_fields;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum ContactDefinition {
-    /// Fluid and solid pressure apart: solids push where the film is the cut-off, and hold it there.
+    /// Separate fluid and solid pressure: solids touch where the film is the cut-off, and hold it there.
     #[default]
     Hard,
-    /// One pressure, as in Azam et al. (2019): pressure flow is switched off at nodes whose film is below the
-    /// cut-off, films are carried along as they are, below zero too, pressures are cut at the limit; there
-    /// the overlap is plastic depth. What presses at nodes below the cut-off is called solid pressure
-    /// afterwards. Nothing keeps gaps from becoming negative, and the answer depends on the mesh. Where the
-    /// film is above the cut-off everywhere, it is that of `Hard`.
+    /// One pressure, as in Azam et al. (2019). Pressure flow is switched off at nodes whose film is below the
+    /// cut-off. Films are entrained as they are, even if negative. Pressures are clipped at the limit, where the
+    /// overlap becomes plastic depth. After the solve, pressure at nodes below the cut-off counts as solid
+    /// pressure. Gaps may become negative, and the solution depends on the mesh. If the film is above the cut-off
+    /// everywhere, the solution is that of `Hard`.
     #[cfg_attr(feature = "serde", serde(rename = "paper"))]
     UnifiedReynolds,
 }
 
-/// The previous state that the squeeze term `d(rho h)/dt` refers to.
+/// Previous state for the squeeze term `d(rho h)/dt`.
 ///
 /// # Examples
 ///
@@ -45,34 +45,34 @@ pub enum ContactDefinition {
 /// use stribeck::reynolds::Squeeze;
 /// let mass = [100e-9; 4];
 /// let squeeze = Squeeze { previous_mass: &mass, time_step: 1e-4 };
-/// // A film that has fallen by a nanometre loses 10 um/s.
+/// // A film that decreases by a nanometre loses 10 um/s.
 /// let rate = (99e-9 - squeeze.previous_mass[0]) / squeeze.time_step;
 /// assert!((rate + 1e-5).abs() < 1e-12);
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Squeeze<'a> {
-    /// `rho/rho_0 * h` of the previous time per node \[m\], as carried over from its solve.
+    /// `rho/rho_0 * h` at the previous time per node \[m\], from its solve.
     pub previous_mass: &'a [f64],
     /// Time between the two \[s\].
     pub time_step: f64,
 }
 
 impl<'a> Squeeze<'a> {
-    /// The backward difference of second order from the masses of the `last` two times, newest first.
-    /// `time_steps` \[s\] are those since the newest and from the oldest to the newest; with `r` their ratio
-    /// it is `((1 + 2 r)/(1 + r) m - (1 + r) m_1 + r^2/(1 + r) m_2) / dt`, for equal steps
-    /// `(3 m - 4 m_1 + m_2) / (2 dt)`. That is a difference of first order over a shorter step from a mean of
-    /// `m_1` and `m_2`, which is written to `combined`. A wave that travels through a contact is damped by
-    /// first order already at twenty steps a period. Histories whose steps grow by more than 2.4 each are
-    /// unstable with it. Where a cell empties fast, that mean is below zero, which no content of the cell can
-    /// make up for: the difference is then of first order, in all cells.
+    /// Second-order backward difference from the masses of the `last` two times, newest first. `time_steps` \[s\] are
+    /// the time since the newest, and from the oldest to the newest. With `r` their ratio it is
+    /// `((1 + 2 r)/(1 + r) m - (1 + r) m_1 + r^2/(1 + r) m_2) / dt`; for equal steps
+    /// `(3 m - 4 m_1 + m_2) / (2 dt)`. It is evaluated as a first-order difference over a shorter step from a
+    /// combination of `m_1` and `m_2`, which is written to `combined`. A first-order difference would damp a wave that
+    /// travels through a contact even at twenty steps per period. The scheme is unstable if each step is more than 2.4
+    /// times the previous one. If the combination is negative in a cell that empties fast, the difference is
+    /// first-order in all cells.
     ///
     /// # Errors
     /// Slices of different lengths, a time step that is not positive.
     ///
     /// ```
     /// use stribeck::reynolds::Squeeze;
-    /// // A mass that grows with the square of time: 1, 4, then 9.
+    /// // A mass quadratic in time: 1, 4, then 9.
     /// let mut combined = [0.0];
     /// let squeeze = Squeeze::second_order([&[4.0], &[1.0]], [1.0, 1.0], &mut combined)?;
     /// let rate = (9.0 - squeeze.previous_mass[0]) / squeeze.time_step;
@@ -106,12 +106,11 @@ impl<'a> Squeeze<'a> {
     }
 }
 
-/// Fluid pressure at the edge of the box, of a contact whose pressure reaches beyond it.
+/// Fluid pressure at the edge of the box, for a contact whose pressure extends outside.
 ///
-/// The pressures hold at the outermost nodes themselves; they belong to the fluid outside, which carries
-/// `load_outside`. Where that is not known, [`NewtonKrylov`](super::NewtonKrylov) holds the approach of the state that
-/// it starts from, and the load of the contact follows. Without edge pressures the pressure is ambient half a cell
-/// beyond the outermost nodes.
+/// The pressures hold at the outermost nodes and belong to the fluid outside, which carries `load_outside`. If that is
+/// unknown, [`NewtonKrylov`](super::NewtonKrylov) keeps the approach of its initial state, and the load of the contact
+/// is a result. Without edge pressures, the pressure is ambient half a cell outside the outermost nodes.
 ///
 /// # Examples
 ///
@@ -123,31 +122,30 @@ impl<'a> Squeeze<'a> {
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct EdgePressure<'a> {
-    /// A field of the grid, of which the outermost nodes count \[Pa\].
+    /// Pressure on the grid, of which only the outermost nodes are used \[Pa\].
     pub field: &'a [f64],
-    /// Load that is carried outside, at the outermost nodes and beyond them \[N\]; none where the approach is held in
-    /// its place.
+    /// Load carried outside, including the outermost nodes \[N\]; `None` if the approach is prescribed.
     pub load_outside: Option<f64>,
 }
 
-/// One contact to be solved: find pressure, film and approach so that
+/// A contact problem: find pressure, film and approach such that
 ///
-/// - fluid pressure `p_f >= 0` with `F(p_f, h) >= 0`, one of them zero, `F` being the net outflow of a cell,
+/// - fluid pressure `p_f >= 0` with `F(p_f, h) >= 0`, one of them zero; `F` is the net outflow of a cell,
 ///   `F = u d(rho h)/dx + d(rho h)/dt - div(rho h^3 / (12 eta) grad p_f)`;
 /// - solid pressure `p_s >= 0` with `h >= h_cut`, one of them an equality;
 /// - total pressure `p = p_f + p_s <= pressure_limit` with plastic depth `d >= 0`, one of them an equality;
 /// - film `h = gap - approach + K p + d`;
-/// - load balance: the integral of `p` is `load`, less what an [`EdgePressure`] says is carried outside.
+/// - load balance: the integral of `p` is `load` minus the load outside of an [`EdgePressure`].
 ///
-/// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. In the state fluid pressure is zero on the outermost
-/// nodes; solids touch there as anywhere.
+/// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. The fluid pressure of a state is zero on the outermost
+/// nodes; solids may touch there.
 ///
-/// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, nothing
-/// flows across it, and loads are those of the length `dy`.
+/// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, there is no flow
+/// along y, and loads are those of the length `dy`.
 ///
 /// # Examples
 ///
-/// A smooth steel ball in oil, its film against a formula for it:
+/// A smooth steel ball in oil, compared with a film formula:
 ///
 /// ```
 /// use stribeck::analytic::{FilmConditions, HertzPoint};
@@ -180,45 +178,43 @@ pub struct LubricatedContact<'a> {
     pub gap: &'a [f64],
     /// Elastic response; it also fixes the grid.
     pub deformation: &'a mut dyn DeformationModel,
-    /// The lubricant, or none for a dry contact.
+    /// The lubricant; `None` for a dry contact.
     pub lubricant: Option<&'a Lubricant>,
     /// Mean speed of the two surfaces along +x \[m/s\].
     pub entrainment_speed: f64,
-    /// Radius of spin `R` \[m\]: the mean motion of the surfaces is that of a body which turns about the point
-    /// (0, `R`), `u = U (1 - y/R)` along x and `v = U x/R` along y with the entrainment speed `U`. None where
-    /// they move along x alone.
+    /// Radius of spin `R` \[m\]: the mean motion of the surfaces is a rotation about the point (0, `R`),
+    /// `u = U (1 - y/R)` along x and `v = U x/R` along y with the entrainment speed `U`. `None` for motion along x
+    /// only.
     pub spin_radius: Option<f64>,
-    /// Squeeze term, or none for a quasi-static solve.
+    /// Squeeze term; `None` for a quasi-static solve.
     pub squeeze: Option<Squeeze<'a>>,
     /// Normal load \[N\].
     pub load: f64,
-    /// Largest pressure per node \[Pa\] (hardness), or none for an elastic contact.
+    /// Largest pressure per node \[Pa\] (hardness); `None` for an elastic contact.
     pub pressure_limit: Option<&'a [f64]>,
     /// Film thickness at which solids touch in a lubricated contact, `h_cut` \[m\].
     pub film_cutoff: f64,
-    /// What solid contact is.
+    /// Definition of solid contact.
     pub contact: ContactDefinition,
-    /// Discretisation of the wedge term.
+    /// Discretization of the wedge term.
     pub scheme: Scheme,
-    /// Pressure flow through the faces.
+    /// Law of the pressure flow through faces.
     pub face_mobility: FaceMobility,
-    /// What holds where the fluid cavitates.
+    /// Cavitation condition.
     pub cavitation: Cavitation,
-    /// Film thickness at ambient density that the inlet edge is supplied with \[m\], or none for a flooded
-    /// inlet: of what full gaps would carry through the first faces, at most this. Needs cavitation that conserves
-    /// mass.
+    /// Film thickness at ambient density supplied at the inlet edge \[m\]; `None` for a flooded inlet. It limits the
+    /// flow of full gaps through the first faces. Needs mass-conserving cavitation.
     pub supplied_film: Option<f64>,
-    /// Fluid pressure at the edge of the box, or none for ambient pressure there.
+    /// Fluid pressure at the edge of the box; `None` for ambient pressure.
     pub edge_pressure: Option<EdgePressure<'a>>,
-    /// Shear thinning of the pressure flow, or none for a Newtonian one.
+    /// Shear thinning of the pressure flow; `None` for a Newtonian fluid.
     pub shear_thinning: Option<ShearThinning>,
-    /// Half-widths `(a_x, a_y)` of the contact \[m\] that residuals are scaled with and starts are built
-    /// from, usually Hertz.
+    /// Half-widths `(a_x, a_y)` of the contact \[m\], usually those of Hertz, for the scale of residuals and for starts.
     pub reference_half_widths: (f64, f64),
-    /// Pressure \[Pa\] that starts are built from, usually the Hertz pressure.
+    /// Pressure \[Pa\] for starts, usually the Hertz pressure.
     pub reference_pressure: f64,
-    /// Film thickness \[m\] that starts are built from, usually the Hamrock-Dowson central film of the smooth
-    /// contact; zero where none is known.
+    /// Film thickness \[m\] for starts, usually the Hamrock-Dowson central film of the smooth contact; zero if
+    /// unknown.
     pub reference_film: f64,
 }
 
@@ -241,7 +237,7 @@ with_fields!(<'a> LubricatedContact<'a> {
 });
 
 impl<'a> LubricatedContact<'a> {
-    /// A dry elastic contact; the rest is said by the `with_` methods. `reference_half_widths` \[m\] and
+    /// A dry elastic contact; set the rest with the `with_` methods. `reference_half_widths` \[m\] and
     /// `reference_pressure` \[Pa\] are usually those of Hertz, `load` is in N.
     pub fn new(
         gap: &'a [f64],
@@ -275,7 +271,7 @@ impl<'a> LubricatedContact<'a> {
 }
 
 impl LubricatedContact<'_> {
-    /// Film thickness at which solids touch unless something else is said \[m\].
+    /// Default film thickness of solid contact \[m\].
     pub const FILM_CUTOFF: f64 = 1e-9;
 
     /// The grid of the problem.
@@ -283,12 +279,12 @@ impl LubricatedContact<'_> {
         self.deformation.grid()
     }
 
-    /// Contact film thickness: the cut-off of a lubricated contact, zero of a dry one \[m\].
+    /// Contact film thickness: the cut-off of a lubricated contact, zero for a dry one \[m\].
     pub fn contact_film(&self) -> f64 {
         if self.lubricant.is_some() { self.film_cutoff } else { 0.0 }
     }
 
-    /// The load that the pressures in the box carry \[N\]; none where the approach is held.
+    /// The load carried by the pressures in the box \[N\]; `None` if the approach is prescribed.
     pub fn box_load(&self) -> Option<f64> {
         let outside = self.edge_pressure.map_or(Some(0.0), |edge| edge.load_outside);
         outside.map(|outside| self.load - outside)
@@ -299,17 +295,17 @@ impl LubricatedContact<'_> {
         self.edge_pressure.map_or(0.0, |edge| edge.field[k])
     }
 
-    /// Pressure limit of node `k` \[Pa\], infinite where there is none.
+    /// Pressure limit of node `k` \[Pa\]; infinite without a limit.
     pub(super) fn limit_at(&self, k: usize) -> f64 {
         self.pressure_limit.map_or(f64::INFINITY, |limit| limit[k])
     }
 
-    /// Whether pressures are those of the paper's contact.
+    /// Whether the contact is that of the paper.
     pub(super) fn is_paper(&self) -> bool {
         self.contact == ContactDefinition::UnifiedReynolds && self.lubricant.is_some()
     }
 
-    /// The same contact for a solver to change: nothing that it does to it reaches the caller's.
+    /// The same contact, for solvers that modify it; the original does not change.
     pub(super) fn copied(&mut self) -> LubricatedContact<'_> {
         LubricatedContact { deformation: &mut *self.deformation, ..*self }
     }
@@ -317,8 +313,8 @@ impl LubricatedContact<'_> {
     /// Checks shapes and ranges of every field.
     ///
     /// # Errors
-    /// An [`InputError`] naming the first offending field, or a load that the pressure limit cannot carry,
-    /// with the largest load that it can.
+    /// An [`InputError`] naming the first invalid field, or a load that the pressure limit cannot carry, with the
+    /// largest possible load.
     pub fn validate(&self) -> Result<(), InputError> {
         let grid = self.grid();
         grid.require_field("gap", self.gap)?;
@@ -388,18 +384,18 @@ impl LubricatedContact<'_> {
     }
 }
 
-/// Rows without those at the edges; of a line contact, which has no edges across x, its only row.
+/// Rows without the edge rows; for a line contact, which has no edge rows, its only row.
 pub(super) fn inner_rows(grid: &Grid) -> std::ops::Range<usize> {
     if grid.ny() == 1 { 0..1 } else { 1..grid.ny().saturating_sub(1) }
 }
 
-/// Indices of the nodes that are not on the outermost ring, or not at the two ends of a line contact.
+/// Indices of the nodes without the outermost ring, or without the two ends of a line contact.
 pub(super) fn interior(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
     let nx = grid.nx();
     inner_rows(grid).flat_map(move |j| (1..nx.saturating_sub(1)).map(move |i| j * nx + i))
 }
 
-/// Indices of the outermost nodes, of a line contact of the two ends of its row.
+/// Indices of the outermost nodes; for a line contact the two ends of its row.
 pub(crate) fn outermost(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
     let (nx, ny) = (grid.nx(), grid.ny());
     let at_side = move |j: usize| ny > 1 && (j == 0 || j + 1 == ny);
@@ -409,14 +405,14 @@ pub(crate) fn outermost(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
     })
 }
 
-/// Slowest entrainment of a film \[m/s\]: what slower ones carry is lost to rounding where Newton's method
-/// solves linear systems in single precision.
+/// Smallest entrainment speed of a film \[m/s\]: at smaller ones the entrainment is lost to rounding in the
+/// single-precision linear systems of Newton's method.
 pub(crate) const LEAST_SPEED: f64 = 1e-15;
-/// What [`require_speed`] asks for.
+/// Requirement of [`require_speed`].
 pub(crate) const SPEED_REQUIREMENT: &str =
     "finite and >= 1e-15: the oil flows along +x; mirror the scene in x for the other direction";
 
-/// Refuses an entrainment speed \[m/s\] that drags no film along.
+/// Rejects an entrainment speed \[m/s\] that entrains no film.
 pub(crate) fn require_speed(field: &str, speed: f64) -> Result<(), InputError> {
     InputError::require(speed.is_finite() && speed >= LEAST_SPEED, field, speed, SPEED_REQUIREMENT)
 }

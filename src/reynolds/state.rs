@@ -1,8 +1,8 @@
-//! The solution of a contact, and what a restart needs.
+//! The state of a contact.
 //!
-//! A solve starts from the pressures and the approach of the state that it is given and overwrites all of it.
-//! `film`, `plastic_depth`, `theta`, `mass` and `in_contact` follow from pressures and problem: of a
-//! converged state they are what the equations make of them, to the tolerance.
+//! A solve starts from pressures and approach of the given state and overwrites all of it. `film`, `plastic_depth`,
+//! `theta`, `mass` and `in_contact` follow from pressures and problem; in a converged state they satisfy the
+//! equations to the tolerance.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -31,15 +31,15 @@ pub struct ContactState {
     pub fluid_pressure: Vec<f64>,
     /// Film thickness (gap) with the plastic depth of this solve included \[m\].
     pub film: Vec<f64>,
-    /// Plastic depth that this solve found, not yet applied to any surface \[m\].
+    /// Plastic depth of this solve, not yet applied to any surface \[m\].
     pub plastic_depth: Vec<f64>,
-    /// Share `theta` of the gap that is filled with fluid, 1 under pressure.
+    /// Film fraction `theta`: share of the gap filled with fluid, 1 under pressure.
     pub theta: Vec<f64>,
-    /// `theta rho/rho_0 h`, to be carried into the squeeze term of a following transient solve \[m\].
+    /// `theta rho/rho_0 h`, for the squeeze term of a following transient solve \[m\].
     pub mass: Vec<f64>,
     /// Whether the node is in solid contact.
     pub in_contact: Vec<bool>,
-    /// Approach of the undeformed bodies \[m\]; positive is closer.
+    /// Approach of the undeformed bodies \[m\], positive towards each other.
     pub approach: f64,
 }
 
@@ -57,7 +57,7 @@ impl Clone for ContactState {
         }
     }
 
-    /// Copies into the buffers that are there: solvers keep their best state without allocating.
+    /// Copies into the existing buffers, so that solvers keep their best state without allocation.
     fn clone_from(&mut self, source: &Self) {
         self.pressure.clone_from(&source.pressure);
         self.fluid_pressure.clone_from(&source.fluid_pressure);
@@ -94,8 +94,8 @@ impl ContactState {
         }
     }
 
-    /// Checks that every field fits `grid` and contents are shares. Pressures that are no numbers are no error:
-    /// solvers begin anew from them.
+    /// Checks that every field fits `grid` and film fractions are in 0..=1. Pressures that are NaN are accepted:
+    /// solvers then start again.
     ///
     /// # Errors
     /// [`InputError`] naming the field.

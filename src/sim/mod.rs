@@ -1,25 +1,26 @@
-//! The reference simulation: a rough lubricated contact through time.
+//! The reference simulation: a rough lubricated contact over time.
 //!
-//! A [`Scene`] describes it, [`solve_contact`] solves its single contact, [`MixedLubricationSim`] runs its
-//! history. Every law can be replaced through the [builder](SimBuilder); an [`Observer`] sees every step.
+//! A [`Scene`] describes the contact, [`solve_contact`] solves it once, [`MixedLubricationSim`] runs its
+//! history. Every law can be replaced through the [builder](SimBuilder); an [`Observer`] is called after
+//! every step.
 //!
 //! ```text
 //! Scene ── SimBuilder ──┬── solve ──> ContactSolution: one contact, surfaces as they are
 //!                       └── build ──> MixedLubricationSim ── step ──> StepRecord, Observer
 //! ```
 //!
-//! | look for | in |
+//! | topic | item |
 //! |---|---|
-//! | what a scene file holds | [`scene`] |
+//! | contents of a scene file | [`scene`] |
 //! | one step of a history and its order | [`MixedLubricationSim`] |
-//! | steps as long as wear allows, many steps | [`StepControl`], [`MixedLubricationSim::run_until`] |
-//! | the numbers of a step and of a contact | [`StepRecord`], [`ContactSolution`] |
-//! | bodies that have been through another run | [`BodyStart`] |
-//! | many histories side by side | [`ensemble`] |
-//! | how far the mesh is from the limit | [`ErrorEstimate`] |
+//! | step control, many steps | [`StepControl`], [`MixedLubricationSim::run_until`] |
+//! | results of a step and of a contact | [`StepRecord`], [`ContactSolution`] |
+//! | bodies from an earlier run | [`BodyStart`] |
+//! | ensembles of histories | [`ensemble`] |
+//! | error of the mesh | [`ErrorEstimate`] |
 //!
-//! Errors are [`SimError`]; what is unlikely to be meant, but can be computed, is a [`Warning`]. It rests on
-//! all other rooms and none of them knows of it. All numbers are SI, all fields row-major slices over
+//! Errors are [`SimError`]; implausible input that can still be computed is a [`Warning`]. `sim` imports all
+//! other modules, and none of them imports `sim`. All values are in SI units, all fields row-major slices over
 //! [`Scene::grid`].
 
 mod contact;

@@ -1,9 +1,9 @@
 //! Amplitudes of the waves of a random surface.
 //!
-//! A random surface is white noise whose transform is multiplied by the root of a spectral density: of an
-//! autocorrelation function its transform, of a self-affine surface a power of the wave number between its
-//! cut-offs. Of heights that a Johnson distribution turns out of normal ones it is the density of the normal
-//! ones.
+//! A random surface is white noise whose transform is multiplied by the square root of a spectral density. For an
+//! autocorrelation function the density is its transform, for a self-affine surface a power of the wave number
+//! between its cut-offs. For heights with a Johnson distribution it is the density of the normal deviates that they
+//! are computed from.
 
 use super::generate::Autocorrelation;
 use super::johnson::Johnson;
@@ -11,20 +11,20 @@ use super::random::RandomShape;
 use crate::grid::Grid;
 use crate::numerics::{RealFft2, map_lines};
 
-/// What white noise is multiplied with to give normal deviates the correlation asked for.
+/// Factors on white noise that give normal deviates the requested correlation.
 pub(super) struct Amplitudes {
-    /// Of 0 to `nx / 2` by 0 to `ny / 2` waves, the others mirror them; of any scale.
+    /// Factors for 0 to `nx / 2` by 0 to `ny / 2` waves, of any scale; the other waves are their mirror images.
     pub(super) waves: Vec<f64>,
     /// Sum of their squares over all `nx` by `ny` waves.
     pub(super) power: f64,
 }
 
-/// Whether the surface as a whole may lie above or below zero.
+/// Mean of the surface.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Mean {
-    /// No: the surface has no mean.
+    /// Zero.
     Zero,
-    /// As the waves next to it: what patches of an endless surface do.
+    /// Random, like the adjacent waves: for patches of an infinite surface.
     Drawn,
 }
 
@@ -39,7 +39,7 @@ impl Amplitudes {
     ) -> Self {
         let (width, height) = (grid.nx() / 2 + 1, grid.ny() / 2 + 1);
         let mut waves = density(shape, johnson, grid, transform);
-        // small negative values, which rounding and wrapping leave, count as zero
+        // negative values are errors of rounding and wrapping
         map_lines(&mut waves, width, |_, row| row.iter_mut().for_each(|value| *value = value.max(0.0)));
         if mean == Mean::Zero {
             waves[0] = 0.0;
@@ -82,11 +82,11 @@ fn density(shape: &RandomShape, johnson: Option<&Johnson>, grid: &Grid, transfor
     transform.symmetric(&correlation)
 }
 
-/// Share of the largest density below which a density is mostly rounding of its transform. Roots of that
-/// would tell surfaces of one processor from those of another.
+/// Fraction of the largest density below which a density is mostly rounding error of its transform. Square roots of
+/// such values would differ between processors.
 const ROUNDING: f64 = 1e-14;
 
-/// That of the Gaussian autocorrelation, which is a product of functions of x and of y.
+/// Density of the Gaussian autocorrelation, a product of functions of x and of y.
 fn gaussian_density(grid: &Grid, [length_x, length_y]: [f64; 2]) -> Vec<f64> {
     let along = |n: usize, spacing: f64, length: f64| {
         let square = |k: usize| (k as f64 * spacing / length).powi(2);
@@ -100,13 +100,13 @@ fn gaussian_density(grid: &Grid, [length_x, length_y]: [f64; 2]) -> Vec<f64> {
     y.iter().flat_map(|y| x.iter().map(move |x| x * y)).collect()
 }
 
-/// Correlations that normal deviates need, by those that the turned ones shall have.
+/// Correlations of normal deviates as a function of those of the transformed ones.
 struct CorrelationTable {
-    /// Pairs `(asked, needed)`, both rising.
+    /// Pairs `(requested, needed)`, both increasing.
     pairs: Vec<(f64, f64)>,
-    /// For equal shares of the range of `asked`: the first pair at or above the lower end.
+    /// For each bin of the requested range: the first pair at or above its lower end.
     starts: Vec<usize>,
-    /// Number of these shares in a unit of `asked`.
+    /// Bins per unit of the requested correlation.
     shares_per_unit: f64,
 }
 
@@ -121,11 +121,11 @@ impl CorrelationTable {
         Self { pairs, starts, shares_per_unit }
     }
 
-    /// Linear between the pairs, constant beyond the first and last.
+    /// Linear between the pairs, constant outside.
     fn needed(&self, asked: f64) -> f64 {
         let share = (asked - self.pairs[0].0) * self.shares_per_unit;
         let last = self.pairs.len() - 1;
-        // conversion of what lies below gives 0
+        // conversion of a negative value gives 0
         let start = self.starts[(share as usize).min(last)].saturating_sub(1);
         let further = self.pairs[start..].iter().take_while(|pair| pair.0 < asked).count();
         let high = (start + further).clamp(1, last);
@@ -139,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn amplitudes_do_not_hang_on_the_rounding_of_the_transform() {
+    fn amplitudes_are_independent_of_transform_rounding() {
         let grid = Grid::centred(256, 1, 1.0, 1.0).unwrap();
         for length_x in [3.0, 20.0, 256.0] {
             let shape = RandomShape::Correlated {
@@ -149,7 +149,7 @@ mod tests {
             };
             let found = Amplitudes::new(&shape, None, &grid, &RealFft2::new(256, 1), Mean::Zero);
             let value = |k: usize| Autocorrelation::Gaussian.at((k as f64 / length_x).powi(2));
-            // summed as it stands, from the smallest on
+            // summed directly, smallest terms first
             let density = |wave: usize| {
                 let term = |k: usize| {
                     value(k.min(256 - k)) * (std::f64::consts::TAU * (k * wave % 256) as f64 / 256.0).cos()
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn needed_correlations_lie_between_those_of_the_table() {
+    fn needed_correlations_are_interpolated_from_the_table() {
         let johnson = Johnson::new(-1.0, 5.0).unwrap();
         let pairs = johnson.correlations();
         let table = CorrelationTable::new(pairs.clone());

@@ -1,4 +1,4 @@
-//! Cutting, turning and laying out measured surfaces, and setting their height.
+//! Cropping, rotation, mirroring and rescaling of measured surfaces.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -44,7 +44,7 @@ impl Heights {
         self.crop([self.nx.saturating_sub(nx) / 2, self.ny.saturating_sub(ny) / 2], nx, ny)
     }
 
-    /// Turned by 90 degrees about the normal, from x to y: what lay along x lies along y.
+    /// Rotated by 90 degrees about the normal, from x to y: profiles along x become profiles along y.
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -58,13 +58,13 @@ impl Heights {
     #[must_use]
     pub fn rotated_90(&self) -> Self {
         let (nx, ny) = (self.ny, self.nx);
-        // (x, y) comes to (-y, x)
+        // (x, y) maps to (-y, x)
         let mut turned = self.moved(nx, ny, |i, j| (nx - 1 - i) * self.nx + j);
         turned.spacing = self.spacing.map(|[dx, dy]| [dy, dx]);
         turned
     }
 
-    /// With the order of the columns reversed: x becomes -x.
+    /// Mirrored in x: the order of the columns is reversed.
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -77,7 +77,7 @@ impl Heights {
         self.moved(self.nx, self.ny, |i, j| (j + 1) * self.nx - 1 - i)
     }
 
-    /// With the order of the rows reversed: y becomes -y.
+    /// Mirrored in y: the order of the rows is reversed.
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -90,8 +90,8 @@ impl Heights {
         self.moved(self.nx, self.ny, |i, j| (self.ny - 1 - j) * self.nx + i)
     }
 
-    /// Twice as long along each axis, with mirror images of the surface: heights are continuous and periodic.
-    /// An axis of a single point stays as it is.
+    /// Extended to twice the size along each axis by mirror images: heights are continuous and periodic. An axis with a
+    /// single point is not extended.
     ///
     /// # Errors
     /// [`SurfaceError::Input`] for more than [`crate::Grid::MAX_NODES`] points.
@@ -110,9 +110,8 @@ impl Heights {
         })
     }
 
-    /// Lets the deviations from the mean of the defined points fall to zero within `width` \[m\] of the
-    /// edges, by `sin^2`: opposite edges then fit together. Roughness near the edges is lost, and the mean
-    /// may change.
+    /// Tapers the deviations from the mean of the defined points to zero within `width` \[m\] of the edges, by `sin^2`:
+    /// opposite edges then match. Roughness near the edges is lost, and the mean may change.
     ///
     /// # Errors
     /// [`SurfaceError::NoSpacing`], [`SurfaceError::AllUndefined`]; [`SurfaceError::Input`] for a width that
@@ -153,8 +152,8 @@ impl Heights {
     /// Removes the mean of the defined points and scales them to the root mean square height `rq` \[m\].
     ///
     /// # Errors
-    /// [`SurfaceError::AllUndefined`]; [`SurfaceError::Input`] for a negative `rq` or a flat surface that
-    /// should not be one.
+    /// [`SurfaceError::AllUndefined`]; [`SurfaceError::Input`] for a negative `rq`, or a positive one for a flat
+    /// surface.
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -168,7 +167,7 @@ impl Heights {
         // A surface without defined points has no mean.
         self.mean()?;
         let defined = self.defined.as_ref();
-        // Where the mean is far above the heights about it, rounding leaves some of it the first time.
+        // If the mean is much larger than the heights, rounding leaves part of it the first time.
         for _ in 0..2 {
             let counts = |k: usize| defined.is_none_or(|mask| mask[k]);
             rescale(&mut self.heights, self.nx, counts, rq).ok_or_else(|| InputError::Conflict {
@@ -191,7 +190,7 @@ impl Heights {
         Ok(self.moved(nx, ny, source))
     }
 
-    /// The same for counts that are known to be sound.
+    /// The same for valid counts.
     fn moved(&self, nx: usize, ny: usize, source: impl Fn(usize, usize) -> usize) -> Self {
         let points = || (0..ny).flat_map(|j| (0..nx).map(move |i| (i, j)));
         let heights = points().map(|(i, j)| self.heights[source(i, j)]).collect();

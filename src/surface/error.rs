@@ -11,7 +11,7 @@ use crate::error::InputError;
 /// ```
 /// use stribeck::Grid;
 /// use stribeck::surface::{Heights, SurfaceError};
-/// // Points without distances cannot be put on a grid.
+/// // Points without spacing cannot be mapped to a grid.
 /// let heights = Heights::new(4, 4, None, vec![0.0; 16], None)?;
 /// let error = heights.resample(&Grid::centred(2, 2, 1e-6, 1e-6)?).unwrap_err();
 /// assert!(matches!(error, SurfaceError::NoSpacing));

@@ -5,12 +5,12 @@ use std::f64::consts::FRAC_PI_2;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Undeformed gap between the smooth bodies, `x^2/(2 Rx) + y^2/(2 Ry)` (of a cylinder the first term alone):
-/// the parabolic approximation, valid while the contact is small against the radii.
+/// Undeformed gap between the smooth bodies, `x^2/(2 Rx) + y^2/(2 Ry)` (for a cylinder only the first term): the
+/// parabolic approximation, valid for contacts that are small compared with the radii.
 ///
-/// With two curved bodies the radii are the equivalent ones, `1/R = 1/R1 + 1/R2` in each direction. An
-/// ellipsoid may be turned by an angle about the normal, so that entrainment, which is along x, meets it
-/// obliquely: x and y in its gap are then its own axes.
+/// For two curved bodies use the equivalent radii, `1/R = 1/R1 + 1/R2` in each direction. An ellipsoid may be rotated
+/// by an angle about the normal, for entrainment (along x) oblique to its axes: x and y in its gap are then its own
+/// axes.
 ///
 /// ```
 /// use stribeck::{Grid, surface::Form};
@@ -30,11 +30,11 @@ pub enum Form {
         /// Radius \[m\].
         radius: f64,
     },
-    /// Different curvature along two axes at right angles.
+    /// Different curvatures along two perpendicular axes.
     Ellipsoid {
-        /// Radius of curvature along the first axis, x unless it is turned \[m\].
+        /// Radius of curvature along the first axis, x without rotation \[m\].
         radius_x: f64,
-        /// Radius of curvature along the second axis, y unless it is turned \[m\].
+        /// Radius of curvature along the second axis, y without rotation \[m\].
         radius_y: f64,
         /// Angle from x to the first axis, positive towards y \[rad\].
         #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
@@ -51,8 +51,7 @@ impl Form {
     /// Checks radii and angle.
     ///
     /// # Errors
-    /// [`InputError::Value`] naming the radius that is not finite and positive, or an angle beyond a right
-    /// one.
+    /// [`InputError::Value`] naming a radius that is not finite and positive, or an angle above a right angle.
     pub fn validate(&self) -> Result<(), InputError> {
         match *self {
             Self::Sphere { radius } | Self::Cylinder { radius } => {
@@ -67,8 +66,7 @@ impl Form {
         }
     }
 
-    /// Radii of curvature along x and y \[m\], of a turned ellipsoid along its own axes; infinite along a
-    /// cylinder.
+    /// Radii of curvature along x and y \[m\], for a rotated ellipsoid along its own axes; infinite along a cylinder.
     #[must_use]
     pub fn radii(&self) -> (f64, f64) {
         match *self {
@@ -78,7 +76,7 @@ impl Form {
         }
     }
 
-    /// Angle from x to the first axis \[rad\]; zero but for ellipsoids.
+    /// Angle from x to the first axis \[rad\]; zero except for ellipsoids.
     #[must_use]
     pub fn angle(&self) -> f64 {
         match *self {
@@ -87,9 +85,8 @@ impl Form {
         }
     }
 
-    /// Radii of curvature of the sections along and across the entrainment \[m\],
-    /// `1/R_e = cos^2/R_x + sin^2/R_y` and `1/R_s = sin^2/R_x + cos^2/R_y`: what film formulas take of a
-    /// turned ellipsoid.
+    /// Radii of curvature of the sections along and across entrainment \[m\], `1/R_e = cos^2/R_x + sin^2/R_y` and
+    /// `1/R_s = sin^2/R_x + cos^2/R_y`: the input of film formulas for a rotated ellipsoid.
     #[must_use]
     pub fn radii_of_entrainment(&self) -> (f64, f64) {
         let (radius_x, radius_y) = self.radii();
@@ -124,7 +121,7 @@ impl Form {
     }
 }
 
-/// Whether the angle need not be written.
+/// Whether the angle is the default and not written.
 #[cfg(feature = "serde")]
 fn is_zero(angle: &f64) -> bool {
     *angle == 0.0

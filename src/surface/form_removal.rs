@@ -1,4 +1,4 @@
-//! Removal of form: the plane or polynomial of least squares.
+//! Form removal: least-squares plane or polynomial.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
@@ -8,18 +8,18 @@ use crate::error::InputError;
 
 /// Highest degree of a polynomial.
 const MAX_DEGREE: usize = 10;
-/// Share of the largest eigenvalue below which a direction is left as it is.
+/// Relative eigenvalue below which a direction is not fitted.
 const DEGENERATE: f64 = 1e-12;
-/// Iterations for the eigenvectors of at most 66 equations, which take some two a vector.
+/// Most iterations for the eigenvectors of at most 66 equations, about two per vector.
 const SWEEPS: usize = 10_000;
 
 impl Heights {
-    /// Subtracts the plane of least squares through the defined points. A direction in which they do not
-    /// extend keeps its slope.
+    /// Subtracts the least-squares plane through the defined points. The slope in a direction in which they do not extend
+    /// is kept.
     ///
     /// # Errors
-    /// [`SurfaceError::AllUndefined`] when nothing is known; [`SurfaceError::Input`] for heights so large
-    /// that the sums overflow.
+    /// [`SurfaceError::AllUndefined`] if no point is defined; [`SurfaceError::Input`] for heights so large that the sums
+    /// overflow.
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -33,11 +33,11 @@ impl Heights {
         self.remove_polynomial(1)
     }
 
-    /// Subtracts the polynomial `sum c_mn x^m y^n` over `m + n <= degree` of least squares through the
-    /// defined points. What they leave open (a slope across a single row) is not changed.
+    /// Subtracts the least-squares polynomial `sum c_mn x^m y^n` over `m + n <= degree` through the defined points.
+    /// Undetermined terms (a slope across a single row) are kept.
     ///
     /// # Errors
-    /// A degree above 10; those of [`Heights::remove_plane`].
+    /// A degree above 10; the errors of [`Heights::remove_plane`].
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -129,7 +129,7 @@ fn legendre(x: f64, degree: usize) -> Vec<f64> {
     values
 }
 
-/// Solution of least norm of the normal equations, by the eigenvectors of their matrix.
+/// Minimum-norm solution of the normal equations, by the eigenvectors of their matrix.
 pub(super) fn least_squares(matrix: &DMatrix<f64>, right: &[f64]) -> Result<Vec<f64>, SurfaceError> {
     InputError::require_finite("heights, summed over all points", right)?;
     let unknown = || InputError::Conflict {

@@ -8,7 +8,7 @@ use super::error::SurfaceError;
 use super::measured::Heights;
 use crate::error::InputError;
 
-/// Choices for files that leave something open: which surface of several, the unit of numbers without one.
+/// Options for ambiguous files: which of several surfaces, the unit of numbers without one.
 ///
 /// ```
 /// use stribeck::surface::{LengthUnit, ReadOptions, read_with, write_npy};
@@ -21,20 +21,20 @@ use crate::error::InputError;
 /// ```
 pub use surface_formats::Options as ReadOptions;
 
-/// Reads a measured surface; the content decides about the format, not the name.
+/// Reads a measured surface; the format is detected from the content, not the name.
 ///
-/// The formats, and the parts of each that are read, are listed in `docs/surfaces.md`. All lengths are converted to metres;
-/// [`Heights::unit`] tells the unit of the file. Numbers without unit are taken as metres, which is one of the
-/// [`Heights::warnings`]. Points that the format marks as undefined, and those whose height is NaN or infinite,
-/// go into the mask.
+/// `docs/surfaces.md` lists the formats and their supported parts. All lengths are converted to metres;
+/// [`Heights::unit`] is the unit of the file. Numbers without unit are taken as metres, with one of the
+/// [`Heights::warnings`]. Points marked as undefined in the format, and points whose height is NaN or infinite, are
+/// masked.
 ///
-/// No file, however damaged, should make it panic; memory is taken for points that the file really holds, at
-/// most [`crate::Grid::MAX_NODES`]. Heights of more than 64 MB that are packed into less than a
-/// two-hundredth of their size are refused: those of measurements are noisy and hardly shrink.
+/// Damaged files are errors and never panic. Memory is allocated for points that the file really contains, at most
+/// [`crate::Grid::MAX_NODES`]. More than 64 MB of heights compressed to less than 1/200 of their size are rejected:
+/// measured heights are noisy and compress little.
 ///
 /// # Errors
-/// [`SurfaceError`] with the path and the fault: the file cannot be opened, is a pipe, a device or a folder, is
-/// of no known format, damaged, or holds a part that is not supported or several surfaces.
+/// [`SurfaceError`] with path and cause: the file cannot be opened; is a pipe, a device or a folder; has an unknown
+/// format; is damaged; has an unsupported part or several surfaces.
 ///
 /// ```
 /// use stribeck::surface::{read, write_npy};
@@ -49,18 +49,18 @@ pub fn read(path: impl AsRef<Path>) -> Result<Heights, SurfaceError> {
     read_with(path, &ReadOptions::new())
 }
 
-/// Reads a measured surface as [`read`] does, with choices for files that leave something open.
+/// Reads a measured surface like [`read`], with options for ambiguous files.
 ///
 /// # Errors
-/// Those of [`read`].
+/// The errors of [`read`].
 pub fn read_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Heights, SurfaceError> {
     Heights::of_file(options.read(path)?)
 }
 
-/// Reads a measured surface from the content of a file, as [`read`] does; `name` stands in errors.
+/// Reads a measured surface from the bytes of a file, like [`read`]; `name` is used in errors.
 ///
 /// # Errors
-/// Those of [`read`].
+/// The errors of [`read`].
 ///
 /// ```
 /// use stribeck::surface::{LengthUnit, read_bytes};
@@ -74,9 +74,9 @@ pub fn read_bytes(bytes: &[u8], name: impl AsRef<Path>) -> Result<Heights, Surfa
     Heights::of_file(surface_formats::read_bytes(bytes, name)?)
 }
 
-/// Writes a surface as x3p (ISO 25178-72), 64 bit floats; undefined points are `NaN`, as the standard has it.
+/// Writes a surface as x3p (ISO 25178-72), 64 bit floats; undefined points are `NaN`, as in the standard.
 ///
-/// [`read`] gives back the same heights, mask and spacing, bit by bit.
+/// [`read`] returns exactly the same heights, mask and spacing.
 ///
 /// # Errors
 /// [`SurfaceError::NoSpacing`] for a surface without spacing, [`SurfaceError::File`] when the file cannot be
@@ -99,10 +99,10 @@ pub fn write_x3p(path: impl AsRef<Path>, surface: &Heights) -> Result<(), Surfac
     Ok(surface_formats::write_x3p(path, &surface.to_file())?)
 }
 
-/// Writes a surface as text: a header with sizes and units, then one line of heights \[m\] for each row,
-/// separated by tabs, `BAD` where undefined. Programs that read Gwyddion's text export understand it.
+/// Writes a surface as text: a header with sizes and units, then one line of heights \[m\] per row, separated by tabs,
+/// `BAD` where undefined. Programs that read Gwyddion's text export can read it.
 ///
-/// [`read`] gives back the same heights, mask and spacing, bit by bit.
+/// [`read`] returns exactly the same heights, mask and spacing.
 ///
 /// # Errors
 /// [`SurfaceError::File`] when the file cannot be written.
@@ -149,26 +149,25 @@ impl Heights {
         Ok(read)
     }
 
-    /// The surface as files hold it.
+    /// The surface in the form of files.
     fn to_file(&self) -> Surface {
         Surface::new(self.nx, self.ny, self.heights_or_nan()).with_spacing(self.spacing)
     }
 
-    /// The same heights, which came from a file in `unit`; their values stay metres.
+    /// The same heights with the `unit` of their file; values remain in metres.
     #[must_use]
     pub fn with_unit(mut self, unit: LengthUnit) -> Self {
         self.unit = Some(unit);
         self
     }
 
-    /// Unit of the heights in the file they were read from, where it is known.
+    /// Unit of the heights in their file, if known.
     #[must_use]
     pub fn unit(&self) -> Option<LengthUnit> {
         self.unit
     }
 
-    /// Doubts of the reader of the file, a sentence each: missing units, keys of a header that are not
-    /// understood, a layout that was chosen among several.
+    /// Warnings of the file reader, one sentence each: missing units, unknown header keys, an ambiguous layout.
     ///
     /// ```
     /// let surface = stribeck::surface::read_bytes(b"1 2\n3 5\n", "heights.txt")?;

@@ -1,7 +1,7 @@
-//! Transfer of a periodic surface to other nodes through its Fourier series.
+//! Resampling of a periodic surface by its Fourier series.
 //!
-//! Waves that both numbers of nodes hold stay as they are, finer ones are left out or zero: nothing is
-//! smoothed and nothing aliased. For refinement of generated surfaces in studies of the mesh.
+//! Waves resolved by both sets of nodes are kept exactly, shorter ones are dropped or zero: there is no smoothing and no
+//! aliasing. Use it to refine generated surfaces in mesh studies.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -14,11 +14,10 @@ use super::measured::Heights;
 use crate::grid::Grid;
 
 impl Heights {
-    /// The same area with `nx` x `ny` points, by the Fourier series of the surface continued periodically:
-    /// exact for waves that both sets of points resolve; waves that the new points do not resolve are left
-    /// out, so nothing is aliased.
+    /// The same area with `nx` x `ny` points, by the periodic Fourier series of the surface. It is exact for waves resolved
+    /// by both sets of points. Waves that the new points do not resolve are dropped, without aliasing.
     ///
-    /// Edges that do not fit together ring: [`Heights::taper`] or [`Heights::tile_mirrored`] first.
+    /// Edges that do not match cause ringing: apply [`Heights::taper`] or [`Heights::tile_mirrored`] first.
     ///
     /// # Errors
     /// [`SurfaceError::Undefined`]; [`SurfaceError::Input`] for a count of zero or more than
@@ -64,20 +63,20 @@ impl Heights {
     }
 }
 
-/// What lines of one length need to be given another.
+/// Plan to resample lines of one length to another.
 struct Line {
     /// Transform of the source.
     forward: Arc<dyn Fft<f64>>,
     /// Inverse transform of the target.
     inverse: Arc<dyn Fft<f64>>,
-    /// Values, then spectrum, at the points that are there.
+    /// Values, then spectrum, at the source points.
     source: Vec<Complex64>,
-    /// Spectrum, then values, at the nodes that are wanted.
+    /// Spectrum, then values, at the target nodes.
     target: Vec<Complex64>,
 }
 
 impl Line {
-    /// Transfer of lines of `points` values to `nodes` values.
+    /// Plan from lines of `points` values to `nodes` values.
     fn new(points: usize, nodes: usize) -> Self {
         let mut planner = FftPlanner::new();
         Self {
@@ -88,7 +87,7 @@ impl Line {
         }
     }
 
-    /// Takes a line and transforms it.
+    /// Loads and transforms a line.
     fn load(&mut self, heights: impl Iterator<Item = f64>) {
         self.source.iter_mut().zip(heights).for_each(|(value, height)| *value = Complex64::from(height));
     }
@@ -103,7 +102,7 @@ impl Line {
         self.forward.process(&mut self.source);
         self.target.fill(Complex64::default());
         let resolved = points.min(nodes);
-        // points are the centres of cells, so the first ones of both sets do not coincide
+        // points are cell centers, so the first ones of both sets do not coincide
         let turn = PI * (1.0 / nodes as f64 - 1.0 / points as f64);
         for wave in 0..=resolved / 2 {
             let shift = Complex64::from_polar(1.0 / points as f64, turn * wave as f64);
@@ -114,7 +113,7 @@ impl Line {
                 self.target[wave] = positive;
                 self.target[nodes - wave] = positive.conj();
             } else if nodes == resolved {
-                // both directions of the shortest wave fall together
+                // both directions of the shortest wave coincide
                 self.target[wave] = positive + positive.conj();
             } else {
                 self.target[wave] = 0.5 * positive;

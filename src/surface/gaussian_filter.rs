@@ -1,8 +1,8 @@
 //! The areal Gaussian filter (ISO 16610-61).
 //!
-//! The weight at the distance `x` is `exp(-pi (x/(alpha cutoff))^2)` with `alpha = sqrt(ln 2/pi)`, so that a
-//! wave of the cutoff keeps half its amplitude: the S filter leaves longer waves, the L filter shorter ones.
-//! Undefined points weigh nothing, and neither does what lies beyond open edges.
+//! The weight at the distance `x` is `exp(-pi (x/(alpha cutoff))^2)` with `alpha = sqrt(ln 2/pi)`: a wave of the cut-off
+//! length keeps half its amplitude. The S-filter keeps longer waves, the L-filter shorter ones. Undefined points and
+//! points outside of open edges have zero weight.
 
 use std::f64::consts::PI;
 
@@ -15,18 +15,18 @@ use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::numerics::fast_length;
 
-/// Width of the weights in cut-offs, `sqrt(ln 2 / pi)`, so that a wave as long as the cut-off passes by half.
+/// Width of the weights in cut-offs, `sqrt(ln 2 / pi)`, for a transmission of one half at the cut-off.
 const ALPHA: f64 = 0.469_718_639_349_825_7;
-/// Cut-offs beyond which weights are below rounding.
+/// Number of cut-offs beyond which weights are below rounding.
 const REACH: f64 = 1.6;
 
 impl Heights {
-    /// S-filter: keeps what is longer than `cutoff` \[m\]. A wave of length L passes by
-    /// `exp(-ln 2 (cutoff/L)^2)`, one half at the cut-off.
+    /// S-filter: keeps waves longer than `cutoff` \[m\]. The transmission at wavelength L is `exp(-ln 2 (cutoff/L)^2)`, one
+    /// half at the cut-off.
     ///
-    /// The weights are `exp(-pi (r / (alpha cutoff))^2)` with `alpha = sqrt(ln 2 / pi)`. Near undefined
-    /// points and the edges of an open surface they are divided by their sum over what is defined; a periodic
-    /// surface goes on beyond its edges. Undefined points stay so.
+    /// The weights are `exp(-pi (r / (alpha cutoff))^2)` with `alpha = sqrt(ln 2 / pi)`. Near undefined points and the edges
+    /// of an open surface they are divided by their sum over defined points; a periodic surface is continued. Undefined
+    /// points remain undefined.
     ///
     /// Source: ISO 16610-61:2015.
     ///
@@ -48,11 +48,10 @@ impl Heights {
         Ok(())
     }
 
-    /// L-filter: removes what is longer than `cutoff` \[m\], the mean included: the surface less its
-    /// [`Heights::s_filter`].
+    /// L-filter: removes waves longer than `cutoff` \[m\] and the mean: the surface minus its [`Heights::s_filter`].
     ///
     /// # Errors
-    /// Those of [`Heights::s_filter`].
+    /// The errors of [`Heights::s_filter`].
     ///
     /// ```
     /// use stribeck::{Boundary, surface::Heights};
@@ -81,7 +80,7 @@ impl Heights {
             return Ok(self.heights.clone());
         }
         InputError::require_finite("heights", &[largest])?;
-        // heights and weights share a transform, so they are of one order
+        // heights and weights share a transform: scale both to one order
         let weight = |k: usize| if self.is_defined(k) { 1.0 } else { 0.0 };
         let mut field: Vec<Complex64> =
             points.clone().map(|k| Complex64::new(deviation(k) / largest, weight(k))).collect();

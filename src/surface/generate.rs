@@ -7,7 +7,7 @@ use crate::numerics::map_lines;
 
 /// Shape of the autocorrelation function, with `s^2 = (x/length_x)^2 + (y/length_y)^2`.
 ///
-/// The lengths are where the function has fallen to 10 %, hence the factor `ln 10` (2.3 in the literature).
+/// The lengths are those at which the function is 10 %, hence the factor `ln 10` (2.3 in the literature).
 ///
 /// # Examples
 ///
@@ -29,8 +29,8 @@ pub enum Autocorrelation {
     /// `Rq^2 exp(-ln(10) s^2)`: smooth slopes; contact results converge with the mesh.
     #[default]
     Gaussian,
-    /// `Rq^2 exp(-ln(10) s)`: ground surfaces, rough at every scale; slopes and peak pressures grow without
-    /// bound as the mesh is refined.
+    /// `Rq^2 exp(-ln(10) s)`: ground surfaces, rough at all scales; slopes and peak pressures grow without bound under
+    /// mesh refinement.
     Exponential,
 }
 
@@ -80,16 +80,16 @@ pub struct RoughnessSpec {
     pub rq: f64,
     /// Length along x at which the autocorrelation is 10 % \[m\], at most the size of the grid.
     ///
-    /// Far below the spacing the surface is white noise.
+    /// For lengths much smaller than the spacing the surface is white noise.
     pub length_x: f64,
-    /// The same along y \[m\].
+    /// Length along y at which the autocorrelation is 10 % \[m\].
     pub length_y: f64,
     /// Seed: equal seeds give equal surfaces.
     pub seed: u64,
 }
 
 impl RoughnessSpec {
-    /// Checks the fields against the grid that they are meant for.
+    /// Checks the fields for a grid.
     ///
     /// # Errors
     /// A negative `rq`, a length that is not positive or exceeds the size of the grid, a value that is not
@@ -111,11 +111,11 @@ impl RoughnessSpec {
 
 /// A periodic random surface \[m\] on `grid`, with zero mean and root mean square height exactly `rq`.
 ///
-/// White noise (`ChaCha8`, normal deviates, in the order of the field) is convolved with the filter whose
-/// spectrum is the root of the transform of the periodic autocorrelation; small negative parts of that
-/// transform, which wrapping can leave, are cut. Opposite edges fit together, so the surface may be shifted
-/// around ([`super::RoughnessMotion`]). The same seed gives the same surface: to the last bit on one
-/// processor with any number of threads, to some 1e-9 of `rq` on others, whose transforms round otherwise.
+/// White noise (`ChaCha8`, normal deviates, in field order) is convolved with a filter whose spectrum is the square root
+/// of the transform of the periodic autocorrelation; small negative values of that transform, from wrapping, are set
+/// to zero. Opposite edges match, so the surface may be shifted periodically ([`super::RoughnessMotion`]). Equal seeds
+/// give equal surfaces: exactly on one processor with any number of threads, to about 1e-9 of `rq` on others, whose
+/// transforms round differently.
 ///
 /// Source: Hu, Y. Z. and Tonder, K. (1992), International Journal of Machine Tools and Manufacture 32, 83-90.
 ///

@@ -1,28 +1,27 @@
-//! The Johnson system: a normal deviate turned into one of given skewness and kurtosis.
+//! The Johnson system: transformation of normal deviates to a given skewness and kurtosis.
 //!
-//! With a normal deviate `g`, the standardised height is `(f(g) - mean)/deviation`, `f` one of four: `g`
-//! itself, `exp(g/delta)`, a logistic curve (bounded heights) or `sinh` (heavy tails). Skewness and kurtosis
-//! decide which, and fix its constants: at a given skewness the lognormal curve divides bounded from
-//! unbounded. Turning a correlated normal surface changes its correlations; [`Johnson::correlations`] says
-//! which ones the normal surface needs.
+//! With a normal deviate `g`, the standardized height is `(f(g) - mean)/deviation`. The function `f` is one of four: `g`,
+//! `exp(g/delta)`, a logistic curve (bounded heights) or `sinh` (heavy tails). Skewness and kurtosis select it and its
+//! constants: at a given skewness the lognormal curve separates bounded from unbounded ones. The transformation changes
+//! the correlations of a normal surface; [`Johnson::correlations`] gives those that the normal surface needs.
 
 use crate::error::InputError;
 
-/// Largest skewness and kurtosis that are offered; heavier tails are not sampled by any surface.
+/// Largest skewness; heavier tails are not sampled by any surface.
 const MAX_SKEWNESS: f64 = 5.0;
-/// Largest kurtosis that is fitted.
+/// Largest kurtosis.
 const MAX_KURTOSIS: f64 = 100.0;
-/// Distance kept from the limit `kurtosis = skewness^2 + 1`, where only two heights are left.
+/// Distance from the limit `kurtosis = skewness^2 + 1` of a two-point distribution.
 const MARGIN: f64 = 0.2;
-/// Kurtosis this close to that of the lognormal curve counts as on it.
+/// Distance from the lognormal curve below which a kurtosis counts as on it.
 const ON_CURVE: f64 = 1e-6;
-/// Smallest delta of either branch and largest that are tried.
+/// Smallest delta of bounded curves.
 const DELTA_BOUNDED: f64 = 0.05;
-/// Of unbounded curves; smaller ones have no such moments in doubles.
+/// Smallest delta of unbounded curves; for smaller ones the moments overflow.
 const DELTA_UNBOUNDED: f64 = 0.3;
-/// Beyond it a curve is as good as normal.
+/// Largest delta; the curve is then normal to rounding.
 const DELTA_LARGEST: f64 = 1e3;
-/// Halvings of an interval for a constant.
+/// Bisections for a constant.
 const BISECTIONS: usize = 48;
 /// Quadrature over the normal deviate: trapezoids, which converge exponentially here.
 const REACH: f64 = 9.0;
@@ -35,15 +34,14 @@ const TERMS: usize = 30;
 /// Nodes of the table of correlations.
 const TABLE: usize = 1025;
 
-/// The curve between two deviates, standardised to mean 0 and variance 1 and mirrored for a negative
-/// skewness.
+/// The transformation of deviates, standardized to mean 0 and variance 1 and mirrored for a negative skewness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Johnson {
     /// Which member of the system.
     shape: Shape,
-    /// -1 where the skewness asked for is negative, else 1.
+    /// -1 for a negative skewness, otherwise 1.
     mirror: f64,
-    /// Mean of what the shape gives.
+    /// Mean of the curve.
     mean: f64,
     /// Its standard deviation.
     deviation: f64,
@@ -56,7 +54,7 @@ enum Shape {
     Normal,
     /// `exp(g / delta)`
     Lognormal {
-        /// Spread: the smaller, the farther from normal.
+        /// Spread: smaller values are farther from normal.
         delta: f64,
     },
     /// `1 / (1 + exp(-(g - gamma) / delta))`
@@ -66,7 +64,7 @@ enum Shape {
 }
 
 impl Shape {
-    /// The curve, not standardised.
+    /// The curve before standardization.
     fn at(self, deviate: f64) -> f64 {
         match self {
             Self::Normal => deviate,
@@ -108,7 +106,7 @@ fn quadrature() -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// Argument in the middle of the last interval when `rises` tells on which side of the root a value lies.
+/// Bisects for the root of a monotonic condition: `below` is true on the lower side.
 fn bisect([mut low, mut high]: [f64; 2], below: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (low + high);
@@ -145,7 +143,7 @@ impl Johnson {
 
     /// The member with this `skewness`, not negative, and `kurtosis`.
     fn fit(skewness: f64, kurtosis: f64) -> Shape {
-        // the lognormal curve: skewness^2 = (w - 1)(w + 2)^2 with w = exp(1/delta^2)
+        // lognormal curve: skewness^2 = (w - 1)(w + 2)^2 with w = exp(1/delta^2)
         let beta = skewness * skewness;
         let w = bisect([1.0, 1.0 + beta], |w| (w - 1.0) * (w + 2.0) * (w + 2.0) < beta);
         let curve = w.powi(4) + 2.0 * w.powi(3) + 3.0 * w * w - 3.0;
@@ -153,8 +151,8 @@ impl Johnson {
         if (kurtosis - curve).abs() < ON_CURVE {
             return if beta < ON_CURVE { Shape::Normal } else { Shape::Lognormal { delta } };
         }
-        // at a given skewness the kurtosis is monotonic in delta: up to the curve when bounded, down to it
-        // when not
+        // at fixed skewness the kurtosis is monotonic in delta: bounded curves increase to the lognormal one, unbounded
+        // ones decrease to it
         let largest = delta.min(DELTA_LARGEST);
         if kurtosis < curve {
             let at = |delta: f64| Shape::Bounded { gamma: gamma_bounded(delta, skewness), delta };
@@ -167,7 +165,7 @@ impl Johnson {
         }
     }
 
-    /// The deviate of the distribution that belongs to a normal one.
+    /// The transformed deviate.
     pub(super) fn at(&self, deviate: f64) -> f64 {
         self.mirror * (self.shape.at(deviate) - self.mean) / self.deviation
     }
@@ -182,8 +180,8 @@ impl Johnson {
         Curve { johnson: self, nodes: (0..=INTERVALS).map(node).collect() }
     }
 
-    /// Correlations that normal deviates need so that the turned ones have those asked for: pairs
-    /// `(asked, needed)`, rising, for needed correlations from -1 to 1.
+    /// Correlations of normal deviates for given ones of the transformed deviates: pairs `(requested, needed)`, increasing,
+    /// for needed correlations from -1 to 1.
     ///
     /// With the Hermite coefficients `a_n` of the curve, `asked = sum a_n^2 n! needed^n / sum a_n^2 n!`.
     pub(super) fn correlations(&self) -> Vec<(f64, f64)> {
@@ -205,7 +203,7 @@ impl Johnson {
         };
         let needed = (0..TABLE).map(|k| 2.0 * k as f64 / (TABLE - 1) as f64 - 1.0);
         let mut table: Vec<(f64, f64)> = needed.map(|needed| (asked(needed), needed)).collect();
-        // strongly skewed curves cannot be anticorrelated beyond some value: what asks for more gets that
+        // strongly skewed curves have a lower bound of the correlation: smaller requests get the bound
         let middle = TABLE / 2;
         let falling = (0..middle).rev().take_while(|&k| table[k].0 < table[k + 1].0).count();
         table.drain(..middle - falling);
@@ -213,16 +211,16 @@ impl Johnson {
     }
 }
 
-/// A curve as cubic polynomials between nodes (Hermite), at most 1e-8 off.
+/// A curve as cubic Hermite interpolation between nodes, with errors up to 1e-8.
 pub(super) struct Curve<'a> {
-    /// The curve itself, for deviates beyond the table.
+    /// The exact curve, for deviates outside the table.
     johnson: &'a Johnson,
-    /// Values and slopes, these times the distance of the nodes, from `-REACH` to `REACH`.
+    /// Values, and slopes times node spacing, from `-REACH` to `REACH`.
     nodes: Vec<[f64; 2]>,
 }
 
 impl Curve<'_> {
-    /// The deviate of the distribution that belongs to a normal one.
+    /// The transformed deviate.
     pub(super) fn at(&self, deviate: f64) -> f64 {
         let position = (deviate + REACH) * (INTERVALS as f64 / (2.0 * REACH));
         let index = position as usize;
@@ -242,14 +240,14 @@ impl Curve<'_> {
     }
 }
 
-/// Shift that gives a bounded curve the skewness.
+/// Shift of a bounded curve with the given skewness.
 fn gamma_bounded(delta: f64, skewness: f64) -> f64 {
-    // far out the curve is lognormal
+    // the curve tends to the lognormal one
     let farthest = 12.0 + 40.0 * delta;
     bisect([0.0, farthest], |gamma| Shape::Bounded { gamma, delta }.moments()[2] < skewness)
 }
 
-/// `-gamma / delta` that gives an unbounded curve the skewness.
+/// `-gamma / delta` of an unbounded curve with the given skewness.
 fn gamma_unbounded(delta: f64, skewness: f64) -> f64 {
     bisect([0.0, 40.0], |omega| unbounded_moments(delta, omega)[0] < skewness)
 }
@@ -272,7 +270,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_moments_asked_for_come_out() {
+    fn fitted_curve_has_the_requested_moments() {
         let cases = [
             (0.0, 3.0),
             (-1.0, 5.0),

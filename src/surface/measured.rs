@@ -1,17 +1,16 @@
-//! A measured surface: heights on a rectangle of points, some of them perhaps undefined.
+//! Measured surfaces: heights on a rectangular array of points, possibly with undefined points.
 
 use super::error::SurfaceError;
 use super::resample::{Tiling, resample};
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Sweeps that smooth the filled holes after the nearest values have grown into them.
+/// Smoothing sweeps over filled holes.
 const FILL_SWEEPS: usize = 200;
 
-/// Measured heights \[m\] of `nx` x `ny` points, row-major with x fastest, and the spacing of the points
-/// where it is known.
+/// Measured heights \[m\] of `nx` x `ny` points, row-major with x fastest, and the spacing of the points if known.
 ///
-/// Undefined points (the instrument saw nothing) are flagged in a mask; their height is stored as 0.
+/// Undefined points (no signal of the instrument) are flagged in a mask; their height is stored as 0.
 ///
 /// ```
 /// use stribeck::{Grid, surface::Heights};
@@ -27,16 +26,16 @@ pub struct Heights {
     pub(super) nx: usize,
     /// Points along y.
     pub(super) ny: usize,
-    /// Distances of the points along x and y \[m\]; none where the file does not say.
+    /// Spacing of the points along x and y \[m\]; `None` if the file has none.
     pub(super) spacing: Option<[f64; 2]>,
     /// Heights \[m\], x fastest.
     pub(super) heights: Vec<f64>,
     /// `None`: all points are defined.
     pub(super) defined: Option<Vec<bool>>,
-    /// Unit of the file that they came from.
+    /// Unit of their file.
     #[cfg(feature = "formats")]
     pub(super) unit: Option<surface_formats::LengthUnit>,
-    /// Doubts of the reader of that file.
+    /// Warnings of the file reader.
     #[cfg(feature = "formats")]
     pub(super) warnings: Vec<String>,
 }
@@ -45,7 +44,7 @@ impl Heights {
     /// Surface of `nx` x `ny` points with `spacing` `[dx, dy]` \[m\] and a mask of the defined points
     /// (`None`: all).
     ///
-    /// Heights of undefined points are ignored, whatever they are.
+    /// Heights of undefined points are ignored.
     ///
     /// # Errors
     /// A count of zero or more than [`Grid::MAX_NODES`] points, a spacing that is not positive, slices of the
@@ -83,7 +82,7 @@ impl Heights {
         })
     }
 
-    /// The same heights with spacing `dx`, `dy` \[m\], for formats that hold none.
+    /// The same heights with spacing `dx`, `dy` \[m\], for formats without spacing.
     ///
     /// # Errors
     /// A spacing that is not finite and positive.
@@ -105,13 +104,13 @@ impl Heights {
         self.ny
     }
 
-    /// Spacing along x \[m\] where it is known.
+    /// Spacing along x \[m\], if known.
     #[must_use]
     pub fn dx(&self) -> Option<f64> {
         self.spacing.map(|[dx, _]| dx)
     }
 
-    /// Spacing along y \[m\] where it is known.
+    /// Spacing along y \[m\], if known.
     #[must_use]
     pub fn dy(&self) -> Option<f64> {
         self.spacing.map(|[_, dy]| dy)
@@ -129,14 +128,14 @@ impl Heights {
         self.defined.as_deref()
     }
 
-    /// The heights \[m\] with NaN where they are undefined.
+    /// The heights \[m\], NaN where undefined.
     #[must_use]
     pub fn heights_or_nan(&self) -> Vec<f64> {
         (0..self.heights.len()).map(|k| if self.is_defined(k) { self.heights[k] } else { f64::NAN }).collect()
     }
 
-    /// The heights of the defined points \[m\], in their order: what the height and bearing parameters of
-    /// [`crate::metrics`] are taken from.
+    /// The heights of the defined points \[m\], in order: the input of the height and bearing parameters of
+    /// [`crate::metrics`].
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -155,12 +154,11 @@ impl Heights {
         self.defined.as_ref().map_or(0, |mask| mask.iter().filter(|defined| !**defined).count())
     }
 
-    /// Fills the undefined points: the defined heights grow inwards as the mean of the neighbours already
-    /// known, then relaxation towards Laplace's equation smooths the filled area (a membrane over the hole).
-    /// Defined heights stay as they are.
+    /// Fills the undefined points. They are set ring by ring to the mean of their known neighbors and then relaxed towards
+    /// Laplace's equation (a membrane over the hole). Defined heights do not change.
     ///
     /// # Errors
-    /// [`SurfaceError::AllUndefined`] when nothing is known.
+    /// [`SurfaceError::AllUndefined`] if no point is defined.
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -186,7 +184,7 @@ impl Heights {
         Ok(())
     }
 
-    /// Gives each unknown point the mean of its known neighbours, ring by ring; returns the points so filled.
+    /// Sets unknown points ring by ring to the mean of their known neighbors; returns these points.
     fn grow_into_holes(&mut self, known: &mut [bool]) -> Result<Vec<usize>, SurfaceError> {
         let mut filled = Vec::new();
         let touches = |surface: &Self, known: &[bool], k: usize| surface.neighbours(k).any(|l| known[l]);
@@ -213,7 +211,7 @@ impl Heights {
         }
     }
 
-    /// The up to four neighbours of point `k`.
+    /// The neighbors of point `k`, up to four.
     fn neighbours(&self, k: usize) -> impl Iterator<Item = usize> + use<> {
         let (nx, last) = (self.nx, self.heights.len());
         let i = k % nx;
@@ -229,17 +227,15 @@ impl Heights {
         self.defined.as_ref().is_none_or(|mask| mask[k])
     }
 
-    /// Heights \[m\] on `grid`, from a window of its size in the middle of the surface; positions of the grid
-    /// do not matter.
+    /// Heights \[m\] on `grid`, from a window of its size in the center of the surface; coordinates of the grid are ignored.
     ///
-    /// Along an axis where the grid is the coarser of the two, cells receive the average of the area they
-    /// cover (which lowers the roughness: wavelengths below the cell are gone), else linear interpolation.
-    /// Opposite edges of the result do not fit together: see [`Heights::resample_mirrored`] for periodic
-    /// roughness.
+    /// Along an axis where the grid is coarser, cells get the average over their area (which removes wavelengths below the
+    /// cell size and lowers the roughness); otherwise linear interpolation. Opposite edges of the result do not match: see
+    /// [`Heights::resample_mirrored`] for periodic roughness.
     ///
     /// # Errors
-    /// [`SurfaceError::NoSpacing`], [`SurfaceError::Undefined`], or [`SurfaceError::TooSmall`] when the
-    /// window does not fit.
+    /// [`SurfaceError::NoSpacing`], [`SurfaceError::Undefined`], or [`SurfaceError::TooSmall`] if the window does not
+    /// fit.
     ///
     /// ```
     /// # use stribeck::{Grid, surface::Heights};
@@ -258,13 +254,12 @@ impl Heights {
         Ok(resample(&self.heights, [self.nx, self.ny], [dx, dy], grid, Tiling::Window))
     }
 
-    /// Heights \[m\] on `grid`, periodic and of any size: a window in the middle of the surface is laid out
-    /// in mirror images, like tiles that are flipped over at each edge, so that heights are continuous
-    /// everywhere and opposite edges of the grid fit together.
+    /// Heights \[m\] on `grid`, periodic and of any size: a window in the center of the surface is tiled by mirror images,
+    /// so that heights are continuous and opposite edges of the grid match.
     ///
-    /// Along each axis the window is the largest that fits an even number of times into the grid. The pattern
-    /// repeats, and its mirror symmetry is visible at the seams: averages of roughness are kept, the longest
-    /// wavelengths are not. Cells are averaged or interpolated as in [`Heights::resample`].
+    /// Along each axis the window is the largest that fits an even number of times into the grid. The pattern repeats with
+    /// visible mirror symmetry at the seams: mean roughness is kept, the longest wavelengths are not. Cells are averaged
+    /// or interpolated as in [`Heights::resample`].
     ///
     /// # Errors
     /// [`SurfaceError::NoSpacing`] or [`SurfaceError::Undefined`]; [`SurfaceError::Input`] when the measured
@@ -295,7 +290,7 @@ impl Heights {
         Ok(resample(&self.heights, [self.nx, self.ny], [dx, dy], grid, Tiling::Mirrored))
     }
 
-    /// The spacing, provided that all points are defined.
+    /// The spacing, if all points are defined.
     fn usable_spacing(&self) -> Result<[f64; 2], SurfaceError> {
         match self.undefined() {
             0 => self.spacing.ok_or(SurfaceError::NoSpacing),
@@ -308,7 +303,7 @@ impl Heights {
     /// of the mean.
     ///
     /// # Errors
-    /// [`SurfaceError::NoSpacing`], [`SurfaceError::AllUndefined`], or those of the three steps.
+    /// [`SurfaceError::NoSpacing`], [`SurfaceError::AllUndefined`], or the errors of the three steps.
     ///
     /// ```
     /// # use stribeck::{Grid, surface::Heights};
@@ -321,7 +316,7 @@ impl Heights {
         self.levelled()?.mean_free_on(grid)
     }
 
-    /// The surface without holes and without its plane.
+    /// The surface with filled holes, minus its plane.
     pub(crate) fn levelled(&self) -> Result<Self, SurfaceError> {
         let mut level = self.clone();
         level.fill_undefined()?;
@@ -329,7 +324,7 @@ impl Heights {
         Ok(level)
     }
 
-    /// What the cells of `grid` see of a [levelled](Self::levelled) surface, about its mean \[m\].
+    /// Heights of a [levelled](Self::levelled) surface on `grid`, with zero mean \[m\].
     pub(crate) fn mean_free_on(&self, grid: &Grid) -> Result<Vec<f64>, SurfaceError> {
         let mut heights = self.resample_mirrored(grid)?;
         let mean = heights.iter().sum::<f64>() / heights.len() as f64;

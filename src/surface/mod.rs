@@ -1,4 +1,4 @@
-//! Surfaces: the shape of the bodies, their roughness, and where the roughness is while they move.
+//! Surfaces: form of the bodies, roughness, and motion of the roughness.
 //!
 //! | type | role |
 //! |---|---|
@@ -8,8 +8,8 @@
 //! | [`Texture`] | dimples and grooves |
 //! | [`Heights`] | a measured surface: removal of form, filters, filling of holes, transfer to a grid |
 //! | `read`, `read_with`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, prf, plu, al3d, npy, text |
-//! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | files that come back bit by bit |
-//! | [`RoughnessMotion`] | where periodic roughness stands from step to step: [`AlongTrack`], [`RandomShift`], [`Advected`], [`AtRest`] |
+//! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | lossless output files |
+//! | [`RoughnessMotion`] | position of periodic roughness from step to step: [`AlongTrack`], [`RandomShift`], [`Advected`], [`Fixed`] |
 //! | [`FourierShift`] | shift by less than a cell |
 //!
 //! Heights are in metres and point out of the body: a positive height narrows the gap.

@@ -1,13 +1,13 @@
 //! Shifts of periodic fields by whole nodes.
 //!
-//! A field of a body is a periodic patch. In the frame of the contact it lies shifted by an [`Offset`]: whole
-//! columns and rows, and a fraction of a column along x. Films and depths are linear in the fraction; heights
-//! follow their Fourier series (`subcell`).
+//! A field of a body is a periodic patch. In the frame of the contact it is shifted by an [`Offset`]: whole columns and
+//! rows, and a fraction of a column along x. Films and depths are interpolated linearly, heights by Fourier series
+//! (`subcell`).
 
 use crate::error::InputError;
 
-/// Where a pattern stands: node `(i, j)` of the grid sees the body's own field at column
-/// `i + columns + fraction` and row `j + rows`, both periodic.
+/// Offset of a pattern: node `(i, j)` of the grid is at column `i + columns + fraction` and row `j + rows` of the field of
+/// the body, both periodic.
 ///
 /// # Examples
 ///
@@ -22,7 +22,7 @@ pub struct Offset {
     pub columns: usize,
     /// Whole rows.
     pub rows: usize,
-    /// Part of a column, 0 to 1.
+    /// Fraction of a column, 0 to 1.
     pub fraction: f64,
 }
 
@@ -35,17 +35,17 @@ impl Offset {
         self.validate_as("offset.fraction")
     }
 
-    /// The same with the name of the field.
+    /// The same with the name `field` in the error.
     pub(crate) fn validate_as(&self, field: &str) -> Result<(), InputError> {
         InputError::require((0.0..=1.0).contains(&self.fraction), field, self.fraction, "from 0 to 1")
     }
 }
 
-/// Overwrites `out` with the periodic `field` as seen after a shift:
+/// Overwrites `out` with the shifted periodic `field`:
 /// `out[(j, i)] = field[((j + sy) % ny, (i + sx) % nx)]`, both row-major with `nx` columns and `ny` rows.
 ///
 /// # Errors
-/// [`InputError::Shape`] when a slice has not `nx * ny` values.
+/// [`InputError::Shape`] if a slice does not have `nx * ny` values.
 pub(crate) fn copy_shifted(
     field: &[f64],
     nx: usize,
@@ -60,12 +60,12 @@ pub(crate) fn copy_shifted(
     Ok(())
 }
 
-/// Adds `values`, computed on the grid, to the periodic `field` of the body at `offset`: each value goes to
-/// the two columns that it stands between, by their distance, so that the sum is kept; with a fraction of
-/// zero `field[((j + rows) % ny, (i + columns) % nx)] += values[(j, i)]`.
+/// Adds `values` on the grid to the periodic `field` of the body at `offset`. Each value is divided between its two
+/// neighboring columns by distance, which keeps the sum; with a fraction of zero
+/// `field[((j + rows) % ny, (i + columns) % nx)] += values[(j, i)]`.
 ///
 /// # Errors
-/// Slices that have not `nx * ny` values, a fraction outside 0 to 1.
+/// Slices that do not have `nx * ny` values, a fraction outside 0 to 1.
 pub(crate) fn add_blended(
     values: &[f64],
     nx: usize,
@@ -96,8 +96,8 @@ fn require_shapes(source: &[f64], nx: usize, ny: usize, target: &[f64]) -> Resul
     InputError::require_len("target", target, nodes)
 }
 
-/// Calls `visit(start in the body's field, start on the grid, length)` for the one or two contiguous pieces
-/// of each row.
+/// Calls `visit(start in the field of the body, start on the grid, length)` for the one or two contiguous parts of each
+/// row.
 fn for_rows(nx: usize, ny: usize, shift: (usize, usize), mut visit: impl FnMut(usize, usize, usize)) {
     if nx == 0 || ny == 0 {
         return;

@@ -1,8 +1,7 @@
-//! Random surfaces with open edges: patches of larger periodic ones, drawn wave by wave.
+//! Random surfaces with open edges: patches of larger periodic ones, generated wave by wave.
 //!
-//! The edges of a patch of a periodic surface do not fit together where the period is longer than the patch.
-//! A wave has its own deviates whatever the grid, from the stream of its column, and only the patch is
-//! transformed back.
+//! The edges of a patch do not match if the period is longer than the patch. The deviates of a wave do not depend on the
+//! grid; each column of waves has its own random stream. Only the patch is transformed back.
 
 use num_complex::Complex64;
 use rand_distr::{Distribution, StandardNormal};
@@ -18,9 +17,8 @@ use crate::numerics::{RealFft2, fast_length};
 /// Normal deviates on `grid` with the autocorrelation of `shape`, and their standard deviation over all
 /// seeds.
 ///
-/// The spectrum of white noise is white, so the waves of the larger surface are drawn as they are, each
-/// column of the spectrum from a stream of its own; of the transform back only the lines of the patch are
-/// made.
+/// The spectrum of white noise is white, so the waves of the larger surface are drawn directly, each column of the
+/// spectrum from its own stream. The inverse transform computes only the lines of the patch.
 pub(super) fn deviates(
     shape: &RandomShape,
     johnson: Option<&Johnson>,
@@ -58,8 +56,7 @@ pub(super) fn deviates(
     Ok((field, amplitudes.power.sqrt()))
 }
 
-/// Makes a column whose waves along y come with their own conjugates such: real where a wave is its own
-/// partner.
+/// Makes a column Hermitian if its waves along y include their conjugates: real if a wave is its own conjugate.
 fn mirror(column: &mut [Complex64]) {
     let ny = column.len();
     for j in 0..=ny / 2 {
@@ -72,9 +69,9 @@ fn mirror(column: &mut [Complex64]) {
     }
 }
 
-/// A grid so much larger than `grid` that opposite edges of a part of its size hardly know each other: by a
-/// margin over which the autocorrelation falls to 2 % or less, as far as half the size of `grid` allows;
-/// beyond that by one over which it falls to 10 % or less.
+/// A grid so much larger than `grid` that opposite edges of a patch are nearly uncorrelated: by a margin over which the
+/// autocorrelation falls to 2 % or less, up to half the size of `grid`; above that by one over which it falls to 10 % or
+/// less.
 fn period(shape: &RandomShape, grid: &Grid) -> Result<Grid, InputError> {
     let half = [grid.size_x() / 2.0, grid.size_y() / 2.0];
     let margins = match *shape {

@@ -17,7 +17,7 @@ use crate::grid::Grid;
 use crate::numerics::{RealFft2, join, map_lines};
 use crate::with_fields::with_fields;
 
-/// What the root mean square height of a random surface refers to.
+/// Definition of the root mean square height of a random surface.
 ///
 /// # Examples
 ///
@@ -39,16 +39,14 @@ use crate::with_fields::with_fields;
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum HeightScale {
-    /// Each surface has exactly that height: what the standard parameters of one surface call for. Removes
-    /// the mean.
+    /// Each surface has exactly this Rq, as in standard parameters of one surface. Removes the mean.
     #[default]
     Exact,
-    /// The mean square over all seeds has it, as of patches of one large surface; single surfaces scatter
-    /// about it.
+    /// The mean square over all seeds, as for patches of one large surface; single surfaces scatter about it.
     Ensemble,
 }
 
-/// What a random surface looks like across the plane.
+/// Lateral shape of a random surface.
 ///
 /// # Examples
 ///
@@ -75,7 +73,7 @@ pub enum RandomShape {
         autocorrelation: Autocorrelation,
         /// Length along x at which the autocorrelation is 10 % \[m\], at most the size of the grid.
         length_x: f64,
-        /// The same along y \[m\].
+        /// Length along y at which the autocorrelation is 10 % \[m\].
         length_y: f64,
     },
     /// Self-affine between two wavelengths.
@@ -140,11 +138,11 @@ pub struct RandomSurface {
     pub rq: f64,
     /// Seed: equal seeds give equal surfaces.
     pub seed: u64,
-    /// What `rq` refers to.
+    /// Definition of `rq`.
     pub height: HeightScale,
     /// Distribution of the heights.
     pub distribution: HeightDistribution,
-    /// Whether opposite edges fit together. An open surface is cut out of a larger periodic one.
+    /// Whether opposite edges match. An open surface is cut out of a larger periodic one.
     pub boundary: Boundary,
 }
 
@@ -172,21 +170,18 @@ impl RandomSurface {
         Self { shape, rq, seed, height, distribution, boundary }
     }
 
-    /// The surface on `grid` \[m\]. Of a periodic one no part of its spectrum is constant, so its mean is
-    /// zero.
+    /// The surface on `grid` \[m\]. A periodic surface has zero mean.
     ///
-    /// Heights of a Johnson distribution are turned out of normal ones node by node; the normal ones have the
-    /// autocorrelation that leads to the one asked for (a translation process). Skewness and kurtosis are met
-    /// by the mean over seeds; a single surface scatters about them with the number of correlation lengths
-    /// that it holds.
+    /// Heights of a Johnson distribution are transformed from normal ones node by node; the autocorrelation of the normal
+    /// ones is chosen to give the requested one (translation process). Skewness and kurtosis are exact in the mean over
+    /// seeds; single surfaces scatter about them depending on their number of correlation lengths.
     ///
     /// Sources: Hu, Y. Z. and Tonder, K. (1992), International Journal of Machine Tools and Manufacture 32,
     /// 83-90; Johnson, N. L. (1949), Biometrika 36, 149-176.
     ///
     /// # Errors
-    /// A negative `rq`, lengths that are not positive or exceed the grid, a Hurst exponent or cut-offs out of
-    /// order, a pair of skewness and kurtosis that does not exist (the range is named), a grid with too few
-    /// nodes.
+    /// A negative `rq`, lengths that are not positive or exceed the grid, a Hurst exponent or cut-offs out of range, an
+    /// impossible pair of skewness and kurtosis (the error gives the range), a grid with too few nodes.
     pub fn generate(&self, grid: &Grid) -> Result<Vec<f64>, InputError> {
         self.shape.validate(self.rq, self.seed, grid)?;
         let johnson = match self.distribution {
@@ -218,7 +213,7 @@ impl RandomSurface {
         Ok(heights)
     }
 
-    /// Normal deviates with the autocorrelation asked for, and their standard deviation over all seeds.
+    /// Normal deviates with the requested autocorrelation, and their standard deviation over all seeds.
     fn deviates(&self, grid: &Grid, johnson: Option<&Johnson>) -> Result<(Vec<f64>, f64), InputError> {
         let phases_alone = matches!(
             self.shape,
@@ -239,12 +234,12 @@ impl RandomSurface {
             }
             *value *= amplitudes.waves[wave];
         });
-        // what the transforms leave unnormalised
+        // normalization of the transforms
         Ok((field, (amplitudes.power * grid.len() as f64).sqrt()))
     }
 }
 
-/// A number of the same phase on the unit circle; 1 for zero.
+/// A value of the same phase on the unit circle; 1 for zero.
 pub(super) fn phase(value: Complex64) -> Complex64 {
     let size = value.norm_sqr().sqrt();
     if size > 0.0 { value / size } else { Complex64::new(1.0, 0.0) }
@@ -265,7 +260,7 @@ impl RandomShape {
     }
 }
 
-/// The stream cipher that draws deviates.
+/// The random generator of the deviates.
 pub(super) fn cipher(seed: u64) -> ChaCha8Rng {
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());

@@ -1,9 +1,8 @@
-//! Transfer of measured heights to a grid: separable averages or interpolation, with mirror images where
-//! needed.
+//! Resampling of measured heights to a grid: separable averages or interpolation, with mirror images if needed.
 
 use crate::grid::Grid;
 
-/// How the grid is covered by the measured area.
+/// Mapping of the measured area to the grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Tiling {
     /// One window of the size of the grid.
@@ -12,9 +11,9 @@ pub(super) enum Tiling {
     Mirrored,
 }
 
-/// One axis of the transfer: which source points enter each target node, with weights that add up to 1.
+/// One axis of the resampling: source points of each target node, with weights of sum 1.
 struct Axis {
-    /// For each node the points that it takes and their shares.
+    /// Points and weights of each node.
     weights: Vec<Vec<(usize, f64)>>,
 }
 
@@ -24,14 +23,14 @@ struct Folding {
     window: f64,
     /// Distance of the window's start from the start of the measured area.
     start: f64,
-    /// Distance of the points \[m\].
+    /// Spacing of the points \[m\].
     spacing: f64,
     /// Number of the points.
     points: usize,
 }
 
 impl Folding {
-    /// Of so many points over a grid of `size` \[m\].
+    /// From `points` points to a grid of `size` \[m\].
     fn new(points: usize, spacing: f64, size: f64, tiling: Tiling) -> Self {
         let extent = points as f64 * spacing;
         let window = match tiling {
@@ -41,7 +40,7 @@ impl Folding {
         Self { window, start: 0.5 * (extent - window), spacing, points }
     }
 
-    /// Source points and overlaps for the target interval from `low` to `high`, piece by piece between folds.
+    /// Source points and overlaps for the target interval from `low` to `high`, between folds.
     fn overlaps(&self, low: f64, high: f64) -> Vec<(usize, f64)> {
         let mut weights = Vec::new();
         for tile in (low / self.window) as usize..=(high / self.window) as usize {
@@ -80,8 +79,8 @@ impl Folding {
 }
 
 impl Axis {
-    /// Weights of `nodes` at distances of `step` \[m\]: means over the cells where these are not finer than
-    /// the points, else linear.
+    /// Weights of `nodes` nodes at a spacing of `step` \[m\]: cell averages if cells are not finer than the points,
+    /// otherwise linear.
     fn new(points: usize, spacing: f64, nodes: usize, step: f64, tiling: Tiling) -> Self {
         let folding = Folding::new(points, spacing, nodes as f64 * step, tiling);
         let coarser = step >= spacing * (1.0 - 1e-9);

@@ -1,12 +1,11 @@
-//! Heights of a given root mean square: the one way in which generated and measured surfaces get it.
+//! Scaling of heights to a given root mean square, for generated and measured surfaces.
 
 use crate::numerics::map_lines;
 
 /// Removes the mean of `heights`, rows of `nx` values, and scales them to the root mean square
-/// `Rq = sqrt(mean((z - mean)^2))` of `rq` \[m\]; values where `counts` does not hold neither count nor
-/// change. None, and nothing changes, where no finite factor leads there: heights that are all the same but
-/// for rounding (`Rq` at most 1e-12 of their mean), none at all, or beyond the range of numbers. An `rq` of
-/// zero makes any heights zero.
+/// `Rq = sqrt(mean((z - mean)^2))` of `rq` \[m\]. Values for which `counts` is false are excluded and unchanged. Returns
+/// `None` without changes if no finite factor exists: heights that are equal up to rounding (`Rq` at most 1e-12 of their
+/// mean), none at all, or too large. An `rq` of zero sets all heights to zero.
 pub(crate) fn rescale(
     heights: &mut [f64],
     nx: usize,
@@ -33,7 +32,7 @@ pub(crate) fn rescale(
     Some(())
 }
 
-/// Sum over rows of the sums of `each` along them, which threads share.
+/// Sum over rows of `each`, computed by several threads.
 fn sum(
     heights: &[f64],
     nx: usize,

@@ -1,16 +1,16 @@
 //! Motion of periodic roughness between time steps.
 //!
-//! A motion is a pure function of the number of positions drawn so far, time and speed: with the seed of the
-//! scene it gives the same positions on every machine and after every resumed run, and needs no state.
+//! A motion is a pure function of draw count, time and speed: with the seed of the scene it gives the same positions on
+//! every machine and after every resumed run, without state.
 //!
-//! | motion | where a body stands in the next contact |
+//! | motion | position of a body in the next contact |
 //! |---|---|
-//! | [`AtRest`] | where it was |
-//! | [`Advected`] | where its speed has taken it, between nodes too |
-//! | [`AlongTrack`] | anywhere along x |
-//! | [`RandomShift`] | anywhere along x and y |
+//! | [`Fixed`] | unchanged |
+//! | [`Advected`] | moved at its speed, between nodes too |
+//! | [`AlongTrack`] | any along x |
+//! | [`RandomShift`] | any along x and y |
 //!
-//! With the speed zero all of them leave a body where it is.
+//! At zero speed a body does not move.
 
 use std::fmt::Debug;
 
@@ -20,16 +20,15 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use super::motion::Offset;
 use crate::grid::Grid;
 
-/// Where the roughness of each body stands at each solve.
+/// Position of the roughness of each body at each solve.
 ///
-/// A step of a wear history spans many passages of the contact, so the two roughness patterns meet at another
-/// relative position each time. All patterns are periodic.
+/// A step of a wear history spans many passages of the contact, so the two roughness patterns meet at a different
+/// relative position in each step. All patterns are periodic.
 ///
-/// Contract: an offset depends on the arguments alone, so that a resumed run meets the positions of an
-/// uninterrupted one; its fraction is a number from 0 to 1; its columns and rows are whole numbers of any
-/// size (patterns are periodic); a body of which [`visits`](Self::visits) says that it stays keeps its
-/// offset, one that moves along its track keeps its row; `Debug` prints the constants.
-/// `testing::roughness_motion` checks it.
+/// Contract: an offset depends on the arguments only, so that a resumed run has the positions of an uninterrupted one.
+/// Its fraction is in 0 to 1; columns and rows may be of any size (patterns are periodic). A body with
+/// [`PointRevisit::Permanent`] of [`visits`](Self::visits) keeps its offset, one that moves along its track keeps its
+/// row. `Debug` prints the constants. `testing::roughness_motion` checks the contract.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -50,16 +49,15 @@ use crate::grid::Grid;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 pub trait RoughnessMotion: Debug + Send + Sync {
-    /// Where the pattern of `body` (0 the ball, 1 the disc) stands on `grid` at the `draw`-th solve, counted
-    /// from 0, and `time` \[s\], its surface moving at `speed` \[m/s\] along x.
+    /// Offset of the pattern of `body` (0 the ball, 1 the disc) on `grid` at the `draw`-th solve, counted from 0, at
+    /// `time` \[s\]; its surface moves at `speed` \[m/s\] along x.
     fn offset(&self, body: usize, draw: u64, time: f64, speed: f64, grid: &Grid) -> Offset;
 
-    /// Which places of its patch a body moving at `speed` \[m/s\] brings under the contact, each equally
-    /// often.
+    /// Points of the patch of a body moving at `speed` \[m/s\] that pass the contact, all equally often.
     fn visits(&self, speed: f64) -> PointRevisit;
 }
 
-/// Which places of a body's patch come under the contact.
+/// Points of the patch of a body that pass the contact.
 ///
 /// # Examples
 ///
@@ -74,17 +72,17 @@ pub trait RoughnessMotion: Debug + Send + Sync {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PointRevisit {
-    /// The same ones all the time.
+    /// The same points at all times.
     Permanent,
-    /// All along x one after the other, as the body carries them past.
+    /// All points along x in sequence, as the body moves.
     Passing,
-    /// All along x, in any order.
+    /// All points along x, in any order.
     Track,
-    /// All along x and y.
+    /// All points along x and y.
     Patch,
 }
 
-/// The patterns never move: the same peaks meet for ever.
+/// The patterns do not move: the same peaks always meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Fixed;
 
@@ -98,14 +96,13 @@ impl RoughnessMotion for Fixed {
     }
 }
 
-/// Each pattern is carried along x by its body: after the time `t` it stands `V t` downstream, between nodes
-/// by interpolation.
+/// Each pattern moves along x with its body: after the time `t` it is `V t` downstream, between nodes by interpolation.
 ///
 /// ```
 /// use stribeck::Grid;
 /// use stribeck::surface::{Advected, RoughnessMotion};
 /// let grid = Grid::centred(128, 128, 1e-6, 1e-6)?;
-/// // 0.25 cells downstream: the grid sees what was 0.25 cells upstream.
+/// // 0.25 cells downstream: the grid is at points 0.25 cells upstream in the pattern.
 /// let carried = Advected.offset(0, 0, 2.5e-6, 0.1, &grid);
 /// assert_eq!(carried.columns, 127);
 /// assert!((carried.fraction - 0.75).abs() < 1e-9);
@@ -117,7 +114,7 @@ pub struct Advected;
 impl RoughnessMotion for Advected {
     fn offset(&self, _body: usize, _draw: u64, time: f64, speed: f64, grid: &Grid) -> Offset {
         let columns = (-speed * time / grid.dx()).rem_euclid(grid.nx() as f64);
-        // A distance that is not a number stays at the origin.
+        // A distance that is not finite counts as zero.
         let whole = if columns.is_finite() { columns.floor() } else { 0.0 };
         let fraction = if columns.is_finite() { columns - whole } else { 0.0 };
         Offset { columns: whole as usize % grid.nx().max(1), rows: 0, fraction }
@@ -128,13 +125,13 @@ impl RoughnessMotion for Advected {
     }
 }
 
-/// Each pattern stands at another place along the track at each solve, a whole number of nodes from its
-/// origin; across the track it never moves, so that a groove forms. A body at rest stays.
+/// Each pattern has a different position along the track at each solve, a whole number of nodes from its origin. Its
+/// position across the track is fixed, so that a groove forms. A body at rest does not move.
 ///
-/// Places of ball and disc are an additive recurrence, `x_n = frac(s + n c)` of the patch, with `c` the first
-/// and second negative power of the real root of `g^3 = g + 1` and `s` from the seed: places of a body and of
-/// one body on the other are spread far more evenly than random ones, so that the mean over `n` solves
-/// converges nearly with `1/n`. The solve 0 has both patterns at their origins.
+/// The positions of ball and disc are an additive recurrence, `x_n = frac(s + n c)` of the patch, where `c` is the first
+/// and second negative power of the real root of `g^3 = g + 1` and `s` depends on the seed. Positions of a body, and of
+/// one body relative to the other, are distributed much more evenly than random ones, so that the mean over `n` solves
+/// converges nearly with `1/n`. At solve 0 both patterns are at their origins.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -143,7 +140,7 @@ impl RoughnessMotion for Advected {
 /// let motion = AlongTrack { seed: 3 };
 /// assert_eq!(motion.offset(1, 0, 0.0, 0.1, &grid), Offset::default());
 /// let columns: Vec<usize> = (1..129).map(|draw| motion.offset(1, draw, 0.0, 0.1, &grid).columns).collect();
-/// // An eighth of the patch gets an eighth of 128 places.
+/// // An eighth of the patch has an eighth of 128 positions.
 /// let eighth = columns.iter().filter(|column| (32..48).contains(*column)).count();
 /// assert!((15..=17).contains(&eighth));
 /// assert_eq!(motion.offset(1, 9, 0.0, 0.0, &grid), Offset::default());
@@ -151,7 +148,7 @@ impl RoughnessMotion for Advected {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct AlongTrack {
-    /// Seed of the places.
+    /// Seed of the positions.
     pub seed: u64,
 }
 
@@ -173,8 +170,8 @@ impl RoughnessMotion for AlongTrack {
     }
 }
 
-/// Each pattern stands at a new random place at each solve, a whole number of nodes from its origin along and
-/// across: no groove forms. The solve 0 has both patterns at their origins, and a body at rest stays there.
+/// Each pattern has a new random position at each solve, a whole number of nodes from its origin along x and y: no groove
+/// forms. At solve 0 both patterns are at their origins; a body at rest stays there.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -189,7 +186,7 @@ impl RoughnessMotion for AlongTrack {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct RandomShift {
-    /// Seed of the places.
+    /// Seed of the positions.
     pub seed: u64,
 }
 
@@ -208,7 +205,7 @@ impl RoughnessMotion for RandomShift {
     }
 }
 
-/// Deviates of a body and a draw that no other body, draw or purpose has.
+/// Random deviates that are unique to a body, draw and purpose.
 fn generator(seed: u64, body: usize, draw: u64, purpose: &[u8; 8]) -> ChaCha8Rng {
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());

@@ -1,4 +1,4 @@
-//! Removal of round forms: the sphere or cylinder of least squares.
+//! Removal of round forms: least-squares sphere or cylinder.
 
 use nalgebra::DMatrix;
 
@@ -9,14 +9,14 @@ use crate::error::InputError;
 
 /// Most steps of a fit.
 const STEPS: usize = 50;
-/// Most halvings of a step that leaves the form.
+/// Most halvings of a step whose form has no height at some point.
 const HALVINGS: usize = 30;
-/// Change of the parameters, in half the length of the surface, at which a fit ends.
+/// Change of the parameters, in units of half the surface length, at which a fit ends.
 const CONVERGED: f64 = 1e-13;
-/// Change at which the fit of a cylinder counts as converged where rounding forbids [`CONVERGED`].
+/// Change at which a cylinder fit counts as converged if rounding prevents [`CONVERGED`].
 const ROUNDED: f64 = 1e-8;
 
-/// Points of a surface: their numbers, and positions and heights in half its length.
+/// Points of a surface: indices, positions and heights in units of half its length.
 struct Points {
     points: Vec<(usize, [f64; 3])>,
     /// Half of the longer side \[m\].
@@ -24,12 +24,12 @@ struct Points {
 }
 
 impl Heights {
-    /// Subtracts the sphere of least squares of the vertical distances through the defined points and returns
-    /// its radius \[m\]: positive for a ball, negative for a socket, very large for a flat.
+    /// Subtracts the least-squares sphere (vertical distances) through the defined points and returns its radius \[m\]:
+    /// positive for a ball, negative for a socket, very large for a flat.
     ///
     /// # Errors
-    /// [`SurfaceError::NoSpacing`]; [`SurfaceError::Input`] when no sphere is found (the surface reaches
-    /// beyond its equator); those of [`Heights::remove_plane`].
+    /// [`SurfaceError::NoSpacing`]; [`SurfaceError::Input`] if no sphere is found (the surface extends beyond its
+    /// equator); the errors of [`Heights::remove_plane`].
     ///
     /// ```
     /// # use stribeck::{Grid, surface::Heights};
@@ -42,21 +42,20 @@ impl Heights {
     /// ```
     pub fn remove_sphere(&mut self) -> Result<f64, SurfaceError> {
         let Points { points, unit } = self.points()?;
-        let cap = Cap::fit(&points)?;
+        let sphere = SphereFit::fit(&points)?;
         for (k, [x, y, z]) in points {
-            let (sphere, _) = cap.at(x, y).ok_or_else(no_sphere)?;
+            let (sphere, _) = sphere.at(x, y).ok_or_else(no_sphere)?;
             self.heights[k] = (z - sphere) * unit;
         }
-        Ok(-unit / cap.0[3])
+        Ok(-unit / sphere.0[3])
     }
 
-    /// Subtracts the cylinder of least squares of the vertical distances through the defined points, its axis in
-    /// any direction, and returns its radius \[m\]: positive for a roller, negative for a groove, very large
-    /// for a flat.
+    /// Subtracts the least-squares cylinder (vertical distances) through the defined points, with its axis in any direction,
+    /// and returns its radius \[m\]: positive for a roller, negative for a groove, very large for a flat.
     ///
     /// # Errors
-    /// [`SurfaceError::NoSpacing`]; [`SurfaceError::Input`] when no cylinder is found (the surface reaches
-    /// beyond its widest part); those of [`Heights::remove_plane`].
+    /// [`SurfaceError::NoSpacing`]; [`SurfaceError::Input`] if no cylinder is found (the surface extends beyond its
+    /// widest part); the errors of [`Heights::remove_plane`].
     ///
     /// ```
     /// use stribeck::{Grid, surface::Heights};
@@ -79,7 +78,7 @@ impl Heights {
         Ok(-unit / cylinder.0[3])
     }
 
-    /// The defined points about their mean.
+    /// The defined points relative to their mean.
     fn points(&self) -> Result<Points, SurfaceError> {
         let [dx, dy] = self.spacing.ok_or(SurfaceError::NoSpacing)?;
         let mean = self.mean()?;
@@ -101,22 +100,22 @@ fn no_sphere() -> SurfaceError {
     InputError::Conflict { field: "heights".to_owned(), reason: "no sphere fits them".to_owned() }.into()
 }
 
-/// A sphere by height, slopes and curvature at the origin, so that a flat is one of them:
+/// A sphere by height, slopes and curvature at the origin; a flat has zero curvature. Its equation is
 /// `curvature (w^2 + r^2) - 2 (w - p x - q y) / m = 0` with `w` the height above the origin and
 /// `m^2 = 1 + p^2 + q^2`.
 #[derive(Clone, Copy)]
-struct Cap([f64; 4]);
+struct SphereFit([f64; 4]);
 
-impl Cap {
+impl SphereFit {
     fn fit(points: &[(usize, [f64; 3])]) -> Result<Self, SurfaceError> {
-        let mut cap = Self([0.0; 4]);
-        let mut normal = cap.normal_equations(points).ok_or_else(no_sphere)?;
+        let mut sphere = Self([0.0; 4]);
+        let mut normal = sphere.normal_equations(points).ok_or_else(no_sphere)?;
         for _ in 0..STEPS {
             let step = least_squares(&normal.0, &normal.1)?;
             let mut share = 1.0;
             let mut next = None;
             for _ in 0..HALVINGS {
-                let mut moved = cap;
+                let mut moved = sphere;
                 moved.0.iter_mut().zip(&step).for_each(|(value, change)| *value += share * change);
                 next = moved.normal_equations(points).map(|normal| (moved, normal));
                 if next.is_some() {
@@ -124,9 +123,9 @@ impl Cap {
                 }
                 share *= 0.5;
             }
-            (cap, normal) = next.ok_or_else(no_sphere)?;
+            (sphere, normal) = next.ok_or_else(no_sphere)?;
             if step.iter().all(|change| change.abs() < CONVERGED) {
-                return Ok(cap);
+                return Ok(sphere);
             }
         }
         Err(no_sphere())
@@ -170,15 +169,14 @@ fn no_cylinder() -> SurfaceError {
     InputError::Conflict { field: "heights".to_owned(), reason: "no cylinder fits them".to_owned() }.into()
 }
 
-/// A cylinder by the height at the origin, the slope s along its axis, the slope and curvature across it and the
-/// angle of the axis to x: with u along and v across the axis the height is `h + s u + sqrt(1 + s^2) w(v)`, where
-/// `w(v)` is the circle of [`Cap`] in one dimension.
+/// A cylinder by height at the origin, slope s along its axis, slope and curvature across it, and the angle of the axis
+/// to x. With u along and v across the axis the height is `h + s u + sqrt(1 + s^2) w(v)`, where `w(v)` is the circle of
+/// [`SphereFit`] in one dimension.
 #[derive(Clone, Copy)]
 struct Cylinder([f64; 5]);
 
 impl Cylinder {
-    /// Gauss-Newton from the quadratic polynomial of least squares, whose axes of curvature are those of the
-    /// cylinder.
+    /// Gauss-Newton iteration from the least-squares quadratic polynomial, whose principal axes are those of the cylinder.
     fn fit(points: &[(usize, [f64; 3])]) -> Result<Self, SurfaceError> {
         let mut cylinder = Self::start(points)?;
         let mut normal = cylinder.normal_equations(points).ok_or_else(no_cylinder)?;
@@ -206,7 +204,7 @@ impl Cylinder {
         Err(no_cylinder())
     }
 
-    /// The cylinder of the quadratic polynomial of least squares.
+    /// The cylinder of the least-squares quadratic polynomial.
     fn start(points: &[(usize, [f64; 3])]) -> Result<Self, SurfaceError> {
         let (mut matrix, mut right) = (DMatrix::<f64>::zeros(6, 6), [0.0; 6]);
         let share = 1.0 / points.len() as f64;
@@ -236,7 +234,7 @@ impl Cylinder {
         let [height, s, q, curvature, angle] = self.0;
         let (sin, cos) = angle.sin_cos();
         let (u, v) = (x * cos + y * sin, y * cos - x * sin);
-        let (w, [_, _, by_q, by_curvature]) = Cap([0.0, 0.0, q, curvature]).at(0.0, v)?;
+        let (w, [_, _, by_q, by_curvature]) = SphereFit([0.0, 0.0, q, curvature]).at(0.0, v)?;
         let length = (1.0 + s * s).sqrt();
         // slope of the circle across the axis
         let m = (1.0 + q * q).sqrt();

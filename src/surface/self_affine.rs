@@ -4,8 +4,8 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::map_lines;
 
-/// A spectrum that falls as `q^(-2 (1 + hurst))` from the roll-off on, `q = 2 pi / wavelength`; constant
-/// above the roll-off wavelength, zero outside the cut-offs.
+/// A spectrum that decreases as `q^(-2 (1 + hurst))` above the roll-off wave number, `q = 2 pi / wavelength`; constant
+/// below it, zero outside the cut-offs.
 ///
 /// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties
 /// 5, 013001.
@@ -33,28 +33,28 @@ pub struct SelfAffine {
     pub hurst: f64,
     /// Longest wavelength \[m\]; infinite for the size of the grid.
     pub longest: f64,
-    /// Wavelength where the spectrum starts to fall \[m\], at most `longest`.
+    /// Roll-off wavelength \[m\], at most `longest`; the spectrum decreases at shorter wavelengths.
     pub roll_off: f64,
     /// Shortest wavelength \[m\], below `roll_off`; 0 for that of the grid.
     pub shortest: f64,
-    /// Where randomness enters.
+    /// Randomness of the modes.
     pub synthesis: Synthesis,
 }
 
-/// How modes are drawn.
+/// Randomness of the modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Synthesis {
-    /// Amplitude and phase of every mode are random: white noise filtered.
+    /// Random amplitude and phase of every mode: filtered white noise.
     #[default]
     FilteredNoise,
-    /// Phases alone are random: every surface has exactly the spectrum asked for.
+    /// Random phases only: every surface has exactly the given spectrum.
     RandomPhase,
 }
 
 impl SelfAffine {
-    /// Checks the exponent and that the wavelengths are in order.
+    /// Checks the exponent and the order of the wavelengths.
     pub(super) fn validate(&self) -> Result<(), InputError> {
         let Self { hurst, longest, roll_off, shortest, .. } = *self;
         let exists = hurst > 0.0 && hurst <= 1.0;
@@ -70,7 +70,7 @@ impl SelfAffine {
 
     /// The density of 0 to `nx / 2` by 0 to `ny / 2` waves, of any scale.
     pub(super) fn density_quarter(&self, grid: &Grid) -> Vec<f64> {
-        // relative slack, so that modes on a cut-off are not lost to rounding
+        // relative slack: modes at a cut-off are not lost to rounding
         let (lowest, highest) = ((1.0 - 1e-9) / self.longest, (1.0 + 1e-9) / self.shortest);
         let exponent = -(1.0 + self.hurst);
         let width = grid.nx() / 2 + 1;
@@ -81,7 +81,7 @@ impl SelfAffine {
                 let x = i as f64 / grid.size_x();
                 let square = x * x + y * y;
                 if (lowest * lowest..=highest * highest).contains(&square) {
-                    // half the time of a power
+                    // faster than a power
                     *value = (exponent * (square * self.roll_off * self.roll_off).max(1.0).ln()).exp();
                 }
             }

@@ -1,8 +1,7 @@
-//! Shifts by less than a cell.
+//! Shifts by a fraction of a cell.
 //!
-//! Each row is shifted by its Fourier series, so that waves keep their amplitudes between nodes; linear
-//! interpolation would flatten the shortest ones. What must not get negative, films and depths, is shifted
-//! linearly instead.
+//! Each row is shifted by its Fourier series, so that waves keep their amplitudes; linear interpolation would damp the
+//! shortest ones. Films and depths, which must not become negative, are shifted linearly.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -14,10 +13,10 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use super::motion::{Offset, copy_shifted};
 use crate::error::InputError;
 
-/// Moves periodic heights along x by any distance through their Fourier series: exact for waves that the grid
-/// resolves; what was smooth stays smooth, and moving back restores the field.
+/// Shifts periodic heights along x by any distance with their Fourier series: exact for waves that the grid resolves;
+/// the opposite shift restores the field.
 ///
-/// Fields that must stay positive may not: it overshoots.
+/// It overshoots: non-negative fields may become negative.
 ///
 /// ```
 /// use stribeck::surface::{FourierShift, Offset};
@@ -34,11 +33,11 @@ pub struct FourierShift {
     nx: usize,
     /// Transform of a row.
     forward: Arc<dyn RealToComplex<f64>>,
-    /// Its inverse, not normalised.
+    /// Its inverse, without normalization.
     inverse: Arc<dyn ComplexToReal<f64>>,
-    /// Spectrum of the row in progress.
+    /// Spectrum of the present row.
     spectrum: Vec<Complex64>,
-    /// Copy of the row in progress.
+    /// Copy of the present row.
     row: Vec<f64>,
     /// Work space of the transforms.
     scratch: Vec<Complex64>,
@@ -66,10 +65,10 @@ impl FourierShift {
         }
     }
 
-    /// Overwrites `out` with the periodic `field` of `ny` rows as seen at `offset`. Allocates nothing.
+    /// Overwrites `out` with the periodic `field` of `ny` rows shifted by `offset`. Allocates nothing.
     ///
     /// # Errors
-    /// Slices that have not `nx * ny` values, a fraction outside 0 to 1.
+    /// Slices that do not have `nx * ny` values, a fraction outside 0 to 1.
     pub fn apply(
         &mut self,
         field: &[f64],
@@ -101,13 +100,13 @@ impl FourierShift {
         for (wave, value) in spectrum.iter_mut().enumerate() {
             let turn = 2.0 * PI * wave as f64 * fraction * scale;
             *value *= if 2 * wave == nx {
-                // The shortest wave has no direction: what is left of it between the nodes.
+                // The shortest wave has no direction: keep its value between the nodes.
                 Complex64::from(turn.cos() * scale)
             } else {
                 Complex64::from_polar(scale, turn)
             };
         }
-        // Rounding leaves imaginary parts where a real field has none.
+        // Rounding may leave imaginary parts where a real field has none.
         if let Some(mean) = spectrum.first_mut() {
             mean.im = 0.0;
         }
@@ -120,11 +119,11 @@ impl FourierShift {
     }
 }
 
-/// Overwrites `out` with the periodic `field` as seen at `offset`, linear between columns: positive fields
-/// stay so.
+/// Overwrites `out` with the periodic `field` shifted by `offset`, linear between columns: non-negative fields stay
+/// non-negative.
 ///
 /// # Errors
-/// Slices that have not `nx * ny` values, a fraction outside 0 to 1.
+/// Slices that do not have `nx * ny` values, a fraction outside 0 to 1.
 pub(crate) fn blend_shifted(
     field: &[f64],
     nx: usize,
@@ -154,7 +153,7 @@ mod tests {
     use crate::surface::motion::add_blended;
 
     #[test]
-    fn shifts_follow_their_definitions() -> Result<(), InputError> {
+    fn shifts_match_their_definitions() -> Result<(), InputError> {
         let (mut out, mut field) = ([0.0; 4], [0.0; 4]);
         let quarter = Offset { columns: 1, rows: 0, fraction: 0.25 };
         blend_shifted(&[1.0, 2.0, 3.0, 4.0], 4, 1, quarter, &mut out)?;
@@ -174,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn blending_there_and_adding_back_keeps_sums_and_signs() -> Result<(), InputError> {
+    fn blended_shift_and_its_adjoint_keep_sums_and_signs() -> Result<(), InputError> {
         let (nx, ny) = (15, 3);
         let field: Vec<f64> = (0..nx * ny).map(|k| (k as f64).sin().max(0.0)).collect();
         let (mut seen, mut back) = (vec![0.0; nx * ny], vec![0.0; nx * ny]);
@@ -188,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_is_refused() {
+    fn fields_of_wrong_length_are_rejected() {
         assert!(copy_shifted(&[0.0; 5], 2, 3, (0, 0), &mut [0.0; 6]).is_err());
         assert!(copy_shifted(&[0.0; 6], 2, 3, (0, 0), &mut [0.0; 5]).is_err());
         let offset = Offset { columns: 1, rows: 1, fraction: 0.5 };

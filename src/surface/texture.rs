@@ -1,4 +1,4 @@
-//! Surfaces made on purpose: dimples and grooves.
+//! Textures: dimples and grooves.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -24,12 +24,11 @@ pub enum Texture {
     Dimples {
         /// Radius of the rim \[m\].
         radius: f64,
-        /// Depth at the centre \[m\].
+        /// Depth at the center \[m\].
         depth: f64,
-        /// Distance of the centres along x and y \[m\], rounded so that a whole number fits into the grid; at
-        /// least twice the radius.
+        /// Pitch of the centers along x and y \[m\], rounded to a divisor of the grid size; at least twice the radius.
         pitch: f64,
-        /// Where the centres are.
+        /// Arrangement of the centers.
         layout: DimpleLayout,
     },
     /// Straight grooves with the profile `-depth (1 - (2 s/width)^2)` across them.
@@ -38,21 +37,20 @@ pub enum Texture {
         width: f64,
         /// Depth in the middle \[m\].
         depth: f64,
-        /// Distance of the middles \[m\], rounded so that a whole number fits into the grid; above the width.
+        /// Pitch \[m\], rounded to a divisor of the grid size; above the width.
         pitch: f64,
-        /// Which way they run; where two cross, the deeper one counts.
+        /// Direction; at crossings the larger depth counts.
         direction: GrooveDirection,
     },
 }
 
-/// Where the centres of dimples are.
+/// Arrangement of the centers of dimples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DimpleLayout {
     /// On a square lattice.
     Square,
-    /// At random within the squares of that lattice, without overlap and without a preferred direction of
-    /// what is near.
+    /// Random within the cells of that lattice, without overlap and isotropic at short range.
     Random {
         /// Seed: equal seeds give equal surfaces.
         seed: u64,
@@ -176,13 +174,13 @@ impl Repeats {
         Ok(Self { count: count as usize, pitch: size / count })
     }
 
-    /// Number of the repeat at the place `s`.
+    /// Index of the repeat at the position `s`.
     fn cell(&self, s: f64) -> usize {
         ((s / self.pitch) as usize).min(self.count - 1)
     }
 }
 
-/// Places of the centres of dimples \[m\].
+/// Positions of the centers of dimples \[m\].
 fn centres(across: &Repeats, along: &Repeats, radius: f64, layout: DimpleLayout) -> Vec<(f64, f64)> {
     let mut seed = [0; 32];
     if let DimpleLayout::Random { seed: number } = layout {
@@ -192,7 +190,7 @@ fn centres(across: &Repeats, along: &Repeats, radius: f64, layout: DimpleLayout)
     let mut place = |cell: usize, pitch: f64| {
         let share = match layout {
             DimpleLayout::Square => 0.5,
-            // 53 bits, the precision of the number
+            // 53 bits, the precision of a double
             DimpleLayout::Random { .. } => (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64,
         };
         cell as f64 * pitch + radius + share * (pitch - 2.0 * radius)

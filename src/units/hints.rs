@@ -1,4 +1,4 @@
-//! Remedies for text that is nearly a quantity.
+//! Remedies for text that is almost a quantity.
 
 use super::Dimension;
 #[cfg(feature = "serde")]
@@ -8,12 +8,12 @@ use super::tables::Scale;
 use crate::error::escape;
 use crate::error::format_number;
 
-/// Density of a mineral oil, by which kinematic viscosities are converted in messages \[kg/m^3\].
+/// Density of a mineral oil \[kg/m^3\], to convert kinematic viscosities in messages.
 const OIL_DENSITY: f64 = 850.0;
-/// Units of kinematic viscosity beside those of diffusivities, in m^2/s.
+/// Units of kinematic viscosity in addition to those of diffusivity, in m^2/s.
 const STOKES: [(&str, f64); 2] = [("cSt", 1e-6), ("St", 1e-4)];
 
-/// The remedy for a comma between digits.
+/// The remedy for a decimal comma.
 pub(super) fn comma(text: &str) -> Option<String> {
     let (before, after) = text.split_once(',')?;
     let is_decimal =
@@ -23,7 +23,7 @@ pub(super) fn comma(text: &str) -> Option<String> {
         .then(|| format!("the decimal separator is a point: \"{shown}\""))
 }
 
-/// The remedy for the `line` of a TOML file that is no TOML because of a number in it.
+/// The remedy for the `line` of a TOML file that is invalid because of a number in it.
 #[cfg(feature = "serde")]
 pub(crate) fn toml_line(line: &str) -> Option<String> {
     let (_, value) = line.split_once('=')?;
@@ -36,7 +36,7 @@ pub(crate) fn toml_line(line: &str) -> Option<String> {
     })
 }
 
-/// The remedy for a `number` in a unit, in its plain spelling, of a dimension that is close to the one asked for.
+/// The remedy for a `number` in a unit, in its plain spelling, of a related dimension.
 pub(super) fn other_dimension(dimension: Dimension, number: &str, unit: &str) -> Option<String> {
     if dimension != Dimension::Viscosity {
         return None;

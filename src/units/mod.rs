@@ -1,9 +1,8 @@
-//! Quantities as people write them: a number and a unit, `9.525 mm` or `14.9 1/GPa`.
+//! Quantities as text: a number and a unit, `9.525 mm` or `14.9 1/GPa`.
 //!
-//! Scene files and options of the command take such text where a quantity has a [`Dimension`]; all that is
-//! behind them is in SI units. A power of ten moves the decimal exponent of the
-//! text, so that `9.525 mm` and `9.525e-3` are the same double. A new unit is an entry in `tables`, a new
-//! dimension a variant, its table and its name.
+//! Scene files and options of the command accept such text for quantities with a [`Dimension`]; all values inside are in
+//! SI units. A power of ten changes the decimal exponent of the text, so that `9.525 mm` and `9.525e-3` are the same
+//! double. A new unit is an entry in `tables`; a new dimension is a variant, its table and its name.
 
 mod hints;
 mod spelling;
@@ -15,7 +14,7 @@ use self::spelling::{plain, split, times_power_of_ten};
 use self::tables::Scale::{Plus, Ten, Times};
 use crate::error::{InputError, escape};
 
-/// What a quantity measures, and with it the units that do for it.
+/// Dimension of a quantity, which determines its valid units.
 ///
 /// ```
 /// use stribeck::units::Dimension;
@@ -54,22 +53,22 @@ pub enum Dimension {
     Conductivity,
     /// In m^2/s.
     Diffusivity,
-    /// In J: barriers of reactions, per molecule.
+    /// In J: activation energies, per molecule.
     Energy,
     /// In m^3: activation volumes.
     Volume,
-    /// In m^3/J: wear per energy of friction.
+    /// In m^3/J: wear per frictional energy.
     VolumePerEnergy,
     /// In rad.
     Angle,
-    /// In J/(m^3 K): heat capacity of a volume.
+    /// In J/(m^3 K): volumetric heat capacity.
     HeatCapacity,
-    /// A part of something: its unit is per cent, without one it is a number.
+    /// Dimensionless; its unit is per cent, or none.
     Ratio,
 }
 
 impl Dimension {
-    /// The name in words.
+    /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Length => "length",
@@ -94,17 +93,17 @@ impl Dimension {
         }
     }
 
-    /// The units that do, the SI one first; other spellings of them (`µm`, `°C`, `Pa*s`, `Pa.s`, `GPa^-1`, `GPa-1`,
-    /// `mm2/N`) do too.
+    /// The valid units, the SI one first; other spellings (`µm`, `°C`, `Pa*s`, `Pa.s`, `GPa^-1`, `GPa-1`, `mm2/N`) are
+    /// accepted too.
     pub fn unit_names(self) -> impl Iterator<Item = &'static str> {
         self.units().iter().filter_map(|(names, _)| names.first().copied())
     }
 
-    /// The value of `text`, a number and a unit, in SI units; a space between them may be left out. `field`
-    /// is for the error.
+    /// The value of `text`, a number and a unit, in SI units; a space between them is optional. `field` is the name in
+    /// errors.
     ///
     /// # Errors
-    /// Text that is no number and unit, a unit of something else, no unit.
+    /// Text that is not a number and a unit, a unit of another dimension, a missing unit.
     pub fn parse(self, field: &str, text: &str) -> Result<f64, InputError> {
         let refused = |reason: String| InputError::Conflict {
             field: format!("{field} = \"{}\"", escape(text)),
@@ -146,7 +145,7 @@ impl Dimension {
             .ok_or_else(|| refused("is beyond the range of numbers".into()))
     }
 
-    /// The units that do, for messages: `m, cm or mm would do`.
+    /// The valid units, for messages: `m, cm or mm would do`.
     fn offer(self) -> String {
         let names: Vec<&str> = self.unit_names().collect();
         match names.as_slice() {

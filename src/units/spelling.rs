@@ -1,12 +1,12 @@
-//! Text of a quantity: where its number ends, and how its unit is spelled.
+//! Splitting a quantity into number and unit, and plain spelling of units.
 
-/// Number and unit of `text`; none where it does not begin with a number.
+/// Number and unit of `text`; `None` if it does not begin with a number.
 pub(super) fn split(text: &str) -> Option<(&str, &str)> {
     let text = text.trim();
     if !text.starts_with(|c: char| c.is_ascii_digit() || ['+', '-', '.'].contains(&c)) {
         return None;
     }
-    // No number is longer than its digits, signs and exponent.
+    // The longest possible number: its digits, signs and exponent.
     let longest = text.find(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c))).unwrap_or(text.len());
     let end = (1..=longest).rev().find(|end| text[..*end].parse::<f64>().is_ok())?;
     Some((&text[..end], text[end..].trim()))

@@ -1,21 +1,21 @@
-//! The units of each dimension. The first of a line is offered in messages, the others are further spellings, in
-//! the form that [`plain`](super::spelling::plain) gives.
+//! The units of each dimension. Messages offer the first of a line; the others are alternative spellings in the form of
+//! [`plain`](super::spelling::plain).
 
 use super::Dimension;
 
-/// How a number in a unit becomes one in SI units.
+/// Conversion of a number to SI units.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Scale {
-    /// Times this power of ten, in decimal digits, so that `9.525 mm` is `9.525e-3` to the last bit.
+    /// Multiplication by this power of ten in decimal digits, so that `9.525 mm` is exactly `9.525e-3`.
     Ten(i32),
-    /// Times this factor.
+    /// Multiplication by this factor.
     Times(f64),
-    /// Plus this zero of the scale.
+    /// Addition of this offset.
     Plus(f64),
 }
 use Scale::{Plus, Ten, Times};
 
-/// Units of one dimension: the first of each line is what messages offer, the others are spellings of it.
+/// Units of one dimension: messages offer the first of each line; the others are alternative spellings.
 pub(super) type Units = &'static [(&'static [&'static str], Scale)];
 
 /// Lengths.
@@ -80,7 +80,7 @@ const RATE: Units = &[
     (&["1/min", "min^-1"], Times(1.0 / 60.0)),
     (&["1/h", "h^-1"], Times(1.0 / 3600.0)),
 ];
-/// Absolute temperatures; differences of temperature are given in kelvin.
+/// Absolute temperatures; give temperature differences in kelvin.
 const TEMPERATURE: Units = &[(&["K"], Ten(0)), (&["degC", "deg C", "C", "Celsius"], Plus(273.15))];
 /// Thermal conductivities.
 const CONDUCTIVITY: Units = &[(&["W/(m K)", "W/m/K", "W/mK"], Ten(0))];
@@ -99,14 +99,14 @@ const VOLUME: Units = &[(&["m^3"], Ten(0)), (&["nm^3"], Ten(-27)), (&["A^3"], Te
 const VOLUME_PER_ENERGY: Units = &[(&["m^3/J"], Ten(0)), (&["mm^3/J"], Ten(-9)), (&["um^3/J"], Ten(-18))];
 /// Angles.
 const ANGLE: Units = &[(&["rad"], Ten(0)), (&["deg"], Times(std::f64::consts::PI / 180.0))];
-/// Heat capacities of a volume.
+/// Volumetric heat capacities.
 const HEAT_CAPACITY: Units =
     &[(&["J/(m^3 K)", "J/m^3/K"], Ten(0)), (&["kJ/(m^3 K)"], Ten(3)), (&["MJ/(m^3 K)"], Ten(6))];
 /// Ratios.
 const RATIO: Units = &[(&["%"], Ten(-2))];
 
 impl Dimension {
-    /// The table of its units, the SI one first.
+    /// The table of units, the SI one first.
     pub(super) fn units(self) -> Units {
         match self {
             Self::Length => LENGTH,

@@ -1,13 +1,12 @@
-//! Archard's law with a wear coefficient that falls as the tribofilm grows.
+//! Archard's law with a wear coefficient that decreases with the tribofilm thickness.
 
 use super::{WearLaw, WearPressure};
 use crate::error::InputError;
 use crate::surface_state::SurfaceState;
 
-/// `dz/dt = K(h)/H p |u_s|` with `K(h) = K_steel - (K_steel - K_min) clamp(h / h_max, 0, 1)`; K
-/// dimensionless, H the hardness of the substrate, constant, or the [local one](Self::with_film_hardness).
-/// With one K and all pressure counted the mean depth over an area A after the sliding distance s is
-/// `K F s / (H A)`, however rough the surfaces are.
+/// `dz/dt = K(h)/H p |u_s|` with `K(h) = K_steel - (K_steel - K_min) clamp(h / h_max, 0, 1)`, dimensionless K and the
+/// hardness H: that of the substrate, or the [local one](Self::with_film_hardness). With constant K and total pressure,
+/// the mean depth over an area A after the sliding distance s is `K F s / (H A)` for any roughness.
 ///
 /// Sources: Archard (1953), Journal of Applied Physics 24, 981-988; coefficient and film: Ghanbarzadeh and
 /// co-workers (2016), Tribology Letters 61, as used by Azam and co-workers (2019), Tribology International
@@ -28,24 +27,23 @@ pub struct Archard {
     hardness: f64,
     /// Coefficient over hardness of the bare surface \[1/Pa\].
     bare: f64,
-    /// What a full film takes off it \[1/Pa\].
+    /// Reduction by a full film \[1/Pa\].
     drop: f64,
     /// One over the thickness of a full film \[1/m\].
     per_thickness: f64,
-    /// Hardness under a full film over that of the substrate, less 1.
+    /// Hardness under a full film over that of the substrate, minus 1.
     softening: f64,
-    /// Which pressure wears.
+    /// Wear pressure.
     pressure: WearPressure,
 }
 
 impl Archard {
-    /// Law with the wear coefficients `bare` and `filmed` \[-\] of a surface without film and under a film of
-    /// `reference_thickness` \[m\] or more, and the `hardness` \[Pa\] of the substrate; the pressure of solid
-    /// contact wears.
+    /// A law with the wear coefficients `bare` and `filmed` \[-\] of a surface without film and under a film of
+    /// `reference_thickness` \[m\] or more, and the `hardness` \[Pa\] of the substrate; the solid pressure causes wear.
     ///
     /// # Errors
-    /// A negative coefficient, `filmed` above `bare`, a thickness or hardness that is not positive, a value
-    /// not finite.
+    /// A negative coefficient, `filmed` above `bare`, a thickness or hardness that is not positive, a value that is not
+    /// finite.
     pub fn new(bare: f64, filmed: f64, reference_thickness: f64, hardness: f64) -> Result<Self, InputError> {
         InputError::require_non_negative("coefficient", bare)?;
         InputError::require(
@@ -59,13 +57,12 @@ impl Archard {
         Ok(Self::from_valid(bare, filmed, reference_thickness, hardness))
     }
 
-    /// The constants of Azam and co-workers (2019): 5.45e-8 bare, 5.45e-9 under 200 nm of film, 6 GPa; all
-    /// pressure wears.
+    /// The constants of Azam and co-workers (2019): 5.45e-8 bare, 5.45e-9 under 200 nm of film, 6 GPa; total pressure.
     pub fn azam_2019() -> Self {
         Self::from_valid(5.45e-8, 5.45e-9, 200e-9, 6e9).with_pressure(WearPressure::Total)
     }
 
-    /// The law of constants that are in range.
+    /// The law of valid constants.
     fn from_valid(bare: f64, filmed: f64, reference_thickness: f64, hardness: f64) -> Self {
         Self {
             hardness,
@@ -77,15 +74,15 @@ impl Archard {
         }
     }
 
-    /// The same law with another pressure at work.
+    /// The same law with another wear pressure.
     #[must_use]
     pub fn with_pressure(mut self, pressure: WearPressure) -> Self {
         self.pressure = pressure;
         self
     }
 
-    /// The same law divided by the local hardness: it falls linearly with the film, from that of the
-    /// substrate to `film_hardness` \[Pa\] under a film of the reference thickness.
+    /// The same law with the local hardness, linear in the film thickness from that of the substrate to `film_hardness`
+    /// \[Pa\] under a film of the reference thickness.
     ///
     /// # Errors
     /// A hardness that is not finite and positive.
@@ -93,7 +90,7 @@ impl Archard {
     /// ```
     /// use stribeck::wear::Archard;
     /// let law = Archard::azam_2019().with_film_hardness(2e9)?;
-    /// // Half the film: K is 0.55 of the bare one, H 4 GPa.
+    /// // Half the film: K is 0.55 times the bare one, H is 4 GPa.
     /// assert!((law.specific_rate(100e-9) - 0.55 * 5.45e-8 / 4e9).abs() < 1e-23);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```

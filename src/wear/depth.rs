@@ -1,10 +1,10 @@
-//! What one body has lost by wear.
+//! Worn depth of a body.
 
 use super::WearLaw;
 use crate::error::InputError;
 use crate::surface_state::SurfaceState;
 
-/// The worn depth \[m\] of one body, node by node of that body's own surface; it never falls.
+/// Worn depth \[m\] of a body at the nodes of its own surface; it never decreases.
 ///
 /// ```
 /// use stribeck::SurfaceState;
@@ -27,7 +27,7 @@ impl Clone for WearDepth {
         Self { values: self.values.clone() }
     }
 
-    /// Copies into the buffers that are there.
+    /// Copies into the existing buffers.
     fn clone_from(&mut self, source: &Self) {
         self.values.clone_from(&source.values);
     }
@@ -39,7 +39,7 @@ impl WearDepth {
         Self { values: vec![0.0; n_nodes] }
     }
 
-    /// A body that is worn by `values` \[m\] already.
+    /// A body with the worn depth `values` \[m\].
     ///
     /// # Errors
     /// A depth that is negative or not finite.
@@ -55,13 +55,13 @@ impl WearDepth {
         &self.values
     }
 
-    /// Wears every node for `time_step` \[s\] at the rate of `law` under `point(node)`: the state of the
-    /// node, counted on the body's own surface, and its film thickness \[m\]. Allocates nothing. The film is
-    /// that of the start of the step: first order in time where it changes within it.
+    /// Wears every node for `time_step` \[s\] at the rate of `law` under `point(node)`: the state of the node on the body's
+    /// own surface, and its film thickness \[m\]. Allocates nothing. The film is that at the start of the step, which is
+    /// first-order in time if it changes.
     ///
     /// # Errors
-    /// A time step that is negative or not finite: nothing is worn. A law that returned a rate that is
-    /// negative or not finite: the nodes before it are worn already, the error gives the rate.
+    /// A time step that is negative or not finite: nothing is worn. A wear rate that is negative or not finite: earlier nodes
+    /// are already worn; the error names the rate.
     pub fn advance(
         &mut self,
         law: &dyn WearLaw,
@@ -78,12 +78,11 @@ impl WearDepth {
         Ok(())
     }
 
-    /// The same under the states `at` and films of `film_thickness` \[m\], one a node, by a law that may take
-    /// all nodes at once. `rates`, of the same length, is overwritten with those of the law \[m/s\].
+    /// The same for the states `at` and films `film_thickness` \[m\], one per node, by a law that may evaluate all nodes at
+    /// once. `rates`, of the same length, is overwritten with the wear rates \[m/s\].
     ///
     /// # Errors
-    /// As of [`advance`](Self::advance), and slices of another length than the body has nodes: nothing is
-    /// worn.
+    /// As of [`advance`](Self::advance), and slices whose length is not the number of nodes: nothing is worn.
     pub fn advance_all(
         &mut self,
         law: &dyn WearLaw,

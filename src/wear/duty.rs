@@ -1,11 +1,11 @@
-//! How much of the time a point of a track is in the contact.
+//! Duty factor of a track.
 
 use crate::error::InputError;
 
-/// Share of the time that a point on a circular track of `track_radius` \[m\] spends in a contact of
+/// Fraction of the time that a point on a circular track of radius `track_radius` \[m\] spends in a contact of half-width
 /// `half_width` \[m\], `2 a / (2 pi r)`, at most 1.
 ///
-/// Wear coefficients that were fitted to the contact as if it rubbed all the time already contain it.
+/// Wear coefficients fitted as if the contact were permanent already contain it.
 ///
 /// # Errors
 /// A length that is not finite and positive.

@@ -1,16 +1,16 @@
-//! Wear in proportion to the energy that friction dissipates.
+//! Wear proportional to the frictional energy.
 
 use super::{WearLaw, WearPressure};
 use crate::error::InputError;
 use crate::surface_state::SurfaceState;
 
-/// `dz/dt = a(h) tau |u_s|`: the volume worn is proportional to the energy of friction, with the volume per
-/// energy `a(h) = a_bare - (a_bare - a_film) clamp(h / h_ref, 0, 1)` \[m^3/J\] falling as the tribofilm
-/// grows. By default the friction of solid contact counts: that of the nodes with solid pressure, the shear of
-/// the fluid there with it. With [`WearPressure::Total`] every node under pressure counts.
+/// `dz/dt = a(h) tau |u_s|`: the worn volume is proportional to the frictional energy, with the volume per energy
+/// `a(h) = a_bare - (a_bare - a_film) clamp(h / h_ref, 0, 1)` \[m^3/J\], which decreases with the tribofilm thickness.
+/// By default only nodes with solid pressure count, including the shear of the fluid there. With
+/// [`WearPressure::Total`] every node under pressure counts.
 ///
-/// Under one friction coefficient `mu` and no fluid shear it is [`Archard`](super::Archard) with
-/// `a = K / (mu H)`; it differs where friction varies over the contact.
+/// With one friction coefficient `mu` and no fluid shear it equals [`Archard`](super::Archard) with `a = K / (mu H)`; it
+/// differs if friction varies over the contact.
 ///
 /// Source: Fouvry, Kapsa, Vincent (1996), Wear 200, 186-205.
 ///
@@ -30,20 +30,20 @@ use crate::surface_state::SurfaceState;
 pub struct FrictionalEnergy {
     /// Worn volume per energy of the bare surface \[m^3/J\].
     bare: f64,
-    /// What a full film takes off it \[m^3/J\].
+    /// Reduction by a full film \[m^3/J\].
     drop: f64,
     /// One over the thickness of a full film \[1/m\].
     per_thickness: f64,
-    /// Which nodes wear.
+    /// Nodes that wear.
     pressure: WearPressure,
 }
 
 impl FrictionalEnergy {
-    /// Law with the volumes per energy `bare` and `filmed` \[m^3/J\] of a surface without film and under a
-    /// film of `reference_thickness` \[m\] or more.
+    /// A law with the volumes per energy `bare` and `filmed` \[m^3/J\] of a surface without film and under a film of
+    /// `reference_thickness` \[m\] or more.
     ///
     /// # Errors
-    /// A negative volume, `filmed` above `bare`, a thickness that is not positive, a value not finite.
+    /// A negative volume, `filmed` above `bare`, a thickness that is not positive, a value that is not finite.
     pub fn new(bare: f64, filmed: f64, reference_thickness: f64) -> Result<Self, InputError> {
         InputError::require_non_negative("volume_per_energy", bare)?;
         InputError::require(
@@ -57,7 +57,7 @@ impl FrictionalEnergy {
         Ok(Self { bare, drop: bare - filmed, per_thickness: 1.0 / reference_thickness, pressure })
     }
 
-    /// The same law, worn at the nodes that carry this pressure.
+    /// The same law for the nodes with this pressure.
     #[must_use]
     pub fn with_pressure(mut self, pressure: WearPressure) -> Self {
         self.pressure = pressure;

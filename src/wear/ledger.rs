@@ -1,8 +1,8 @@
-//! The account of one body's surface: where every nanometre went.
+//! Height balance of a surface.
 
 use crate::error::InputError;
 
-/// A view of what makes up one body's surface, all fields on that body's own nodes \[m\]:
+/// View of the height balance of a surface, all fields on the nodes of its body \[m\]:
 /// `surface = initial - wear - plastic + film`.
 ///
 /// ```
@@ -17,7 +17,7 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct SurfaceLedger<'a> {
-    /// Heights at the start \[m\].
+    /// Initial heights \[m\].
     initial: &'a [f64],
     /// Worn depth \[m\].
     wear: &'a [f64],
@@ -27,7 +27,7 @@ pub struct SurfaceLedger<'a> {
     film: &'a [f64],
 }
 
-/// Volumes of one body's account \[m^3\].
+/// Volumes of the height balance of a body \[m^3\].
 ///
 /// # Examples
 ///
@@ -43,16 +43,16 @@ pub struct SurfaceLedger<'a> {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Volumes {
-    /// Worn off.
+    /// Worn volume.
     pub wear: f64,
-    /// Flattened away.
+    /// Plastic volume.
     pub plastic: f64,
-    /// Standing as tribofilm.
+    /// Volume of the tribofilm.
     pub film: f64,
 }
 
 impl Volumes {
-    /// Change of the volume under the surface \[m^3\]: `film - wear - plastic`.
+    /// Change of the volume below the surface \[m^3\]: `film - wear - plastic`.
     pub fn net(&self) -> f64 {
         self.film - self.wear - self.plastic
     }
@@ -62,7 +62,7 @@ impl<'a> SurfaceLedger<'a> {
     /// View of the four fields.
     ///
     /// # Errors
-    /// Fields of different length.
+    /// Fields of different lengths.
     pub fn new(
         initial: &'a [f64],
         wear: &'a [f64],
@@ -75,17 +75,17 @@ impl<'a> SurfaceLedger<'a> {
         Ok(Self { initial, wear, plastic, film })
     }
 
-    /// The surface as the account has it \[m\].
+    /// Surface heights from the balance \[m\].
     fn heights(&self) -> impl Iterator<Item = f64> + '_ {
         let lost = self.wear.iter().zip(self.plastic);
         let rows = self.initial.iter().zip(lost).zip(self.film);
         rows.map(|((initial, (wear, plastic)), film)| initial - wear - plastic + film)
     }
 
-    /// Overwrites `out` \[m\] with the surface as it is now.
+    /// Overwrites `out` \[m\] with the present surface.
     ///
     /// # Errors
-    /// `out` of another length than the fields.
+    /// A length of `out` other than that of the fields.
     pub fn surface_into(&self, out: &mut [f64]) -> Result<(), InputError> {
         InputError::require_len("out", out, self.initial.len())?;
         for (out, height) in out.iter_mut().zip(self.heights()) {
@@ -100,11 +100,10 @@ impl<'a> SurfaceLedger<'a> {
         Volumes { wear: volume(self.wear), plastic: volume(self.plastic), film: volume(self.film) }
     }
 
-    /// Largest difference \[m\] between `surface`, kept up elsewhere, and the account; NaN when one is not a
-    /// number.
+    /// Largest difference \[m\] between a separately updated `surface` and the balance; NaN if any value is NaN.
     ///
     /// # Errors
-    /// `surface` of another length than the fields.
+    /// A length of `surface` other than that of the fields.
     pub fn residual(&self, surface: &[f64]) -> Result<f64, InputError> {
         InputError::require_len("surface", surface, self.initial.len())?;
         let differences = surface.iter().zip(self.heights()).map(|(kept, height)| (kept - height).abs());

@@ -1,9 +1,8 @@
-//! Wear: how fast the substrate of a body is lost, and the account of what became of its surface.
+//! Wear: rates of height loss, worn depth, and the height balance of surfaces.
 //!
-//! [`WearLaw`] is an open set; [`Archard`] is the law of the reference scene, [`FrictionalEnergy`] one by the
-//! energy of friction. [`WearDepth`] is what one body
-//! has lost, node by node of its own surface; [`SurfaceLedger`] puts initial heights, wear, plastic depth and
-//! film together.
+//! [`WearLaw`] is an open set. [`Archard`] is the law of the reference scene; [`FrictionalEnergy`] uses the frictional
+//! energy. [`WearDepth`] is the worn depth of a body, node by node; [`SurfaceLedger`] combines initial heights, wear,
+//! plastic depth and film.
 
 mod archard;
 mod depth;
@@ -23,17 +22,17 @@ pub use pressure::WearPressure;
 
 use crate::surface_state::SurfaceState;
 
-/// The rate at which one body loses height at a node.
+/// The rate at which a body loses height at a node.
 ///
-/// Contract: finite and never negative for every finite input, zero at rest and without load, not falling
-/// with sliding speed and load; the film itself is not worn, only the substrate.
+/// Contract: finite and non-negative for all finite inputs, zero without sliding and without load, not decreasing with
+/// sliding speed and load. Only the substrate wears, not the film.
 ///
 /// # Examples
 ///
 /// ```
 /// use stribeck::SurfaceState;
 /// use stribeck::wear::WearLaw;
-/// /// Wear of solid contact alone: `k p_s u_s`, with `k` \[1/Pa\].
+/// /// Wear by solid contact only: `k p_s u_s`, with `k` \[1/Pa\].
 /// #[derive(Debug)]
 /// struct SolidWear(f64);
 /// impl WearLaw for SolidWear {
@@ -47,12 +46,11 @@ use crate::surface_state::SurfaceState;
 /// assert!((rates[0] - 1e-10).abs() < 1e-24 && rates[1] == 0.0);
 /// ```
 pub trait WearLaw: Debug + Send + Sync {
-    /// Rate of wear \[m/s\] at a node in the state `at` that carries `film_thickness` \[m\] of tribofilm.
+    /// Wear rate \[m/s\] at a node in the state `at` under `film_thickness` \[m\] of tribofilm.
     fn depth_rate(&self, at: &SurfaceState, film_thickness: f64) -> f64;
 
-    /// Overwrites `rates` \[m/s\] with those of all nodes, in the states `at` and under `film_thickness`
-    /// \[m\], slices of one length. By default node by node with [`depth_rate`](Self::depth_rate), to which
-    /// it must come.
+    /// Overwrites `rates` \[m/s\] with those of all nodes, in the states `at` and under `film_thickness` \[m\], slices of one
+    /// length. The default calls [`depth_rate`](Self::depth_rate) for each node, which an override must reproduce.
     fn depth_rates(&self, at: &[SurfaceState], film_thickness: &[f64], rates: &mut [f64]) {
         for (rate, (at, film)) in rates.iter_mut().zip(at.iter().zip(film_thickness)) {
             *rate = self.depth_rate(at, *film);

@@ -1,8 +1,8 @@
-//! Which pressure wears.
+//! The pressure that causes wear.
 
 use crate::surface_state::SurfaceState;
 
-/// Which pressure wears.
+/// The pressure that causes wear.
 ///
 /// # Examples
 ///
@@ -19,15 +19,15 @@ use crate::surface_state::SurfaceState;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum WearPressure {
-    /// The share of solid contact alone (default): a full film wears nothing.
+    /// Solid pressure only (default): a full film prevents wear.
     #[default]
     Solid,
-    /// All of it, fluid and solid.
+    /// Total pressure, fluid plus solid.
     Total,
 }
 
 impl WearPressure {
-    /// The pressure at work at a node in the state `at` \[Pa\].
+    /// Wear pressure at a node in the state `at` \[Pa\].
     pub(super) fn at(self, at: &SurfaceState) -> f64 {
         match self {
             Self::Solid => at.solid_pressure,

@@ -1,12 +1,12 @@
-//! What flows into the box and out of it.
+//! Flow balance of the box.
 
-/// Flow through the edges of the box at ambient density \[m^3/s\]; of a line contact, one metre wide, the
-/// same number is \[m^2/s\] a metre of contact.
+/// Flow through the edges of the box at ambient density \[m^3/s\]. A line contact is one metre wide: the same
+/// value is the flow per width in m^2/s.
 ///
-/// Flows are those through the faces of the outermost nodes, by entrainment and by pressure. Where cavitation
-/// conserves mass and nothing is squeezed the imbalance is at most the [mass
-/// residual](crate::Residuals::mass): the balances of all cells add up to it. With Reynolds' condition it is
-/// what cavitated cells make out of nothing, and no residual counts it.
+/// Flows are those by entrainment and by pressure through the faces of the outermost nodes. With mass-conserving
+/// cavitation and without squeeze, the imbalance is at most the [mass residual](crate::Residuals::mass), which
+/// sums the balances of all cells. With Reynolds' condition it includes the mass that cavitated cells create,
+/// which no residual counts.
 ///
 /// # Examples
 ///
@@ -21,17 +21,17 @@
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct FlowBalance {
-    /// What enters \[m^3/s\].
+    /// Inflow \[m^3/s\].
     pub inflow: f64,
-    /// What leaves \[m^3/s\].
+    /// Outflow \[m^3/s\].
     pub outflow: f64,
-    /// `|outflow - inflow + stored| / inflow`; `stored` is the rate at which the mass in the gaps grows, zero
-    /// without a squeeze term. Over the outflow where nothing enters, zero where nothing flows.
+    /// `|outflow - inflow + stored| / inflow`; `stored` is the growth rate of the mass in the gap, zero without
+    /// squeeze. Relative to the outflow if the inflow is zero; zero without flow.
     pub imbalance: f64,
 }
 
 impl FlowBalance {
-    /// From flows and growth of the mass in the gaps.
+    /// The balance of these flows and the growth rate of the mass in the gap.
     pub(in crate::reynolds) fn new(inflow: f64, outflow: f64, stored: f64) -> Self {
         let residual = (outflow - inflow + stored).abs();
         let scale = if inflow > 0.0 { inflow } else { outflow };
@@ -39,12 +39,12 @@ impl FlowBalance {
     }
 }
 
-/// Flows in a film at ambient density, a metre of width \[m^2/s\], one value a node, positive along the axes;
+/// Flows in a film at ambient density per width \[m^2/s\], one value per node, positive along the axes;
 /// see [`Evaluation::film_flows`](crate::reynolds::Evaluation::film_flows).
 ///
-/// Flow by pressure is that of the face law with shear thinning and the viscosity of warm films; what is
-/// entrained through a node is `through` less the mean of `east` at its two faces along x. Heat of a film
-/// needs both: in an inlet they nearly cancel.
+/// The pressure flow includes shear thinning and the viscosity of warm films. The entrained flow through a node is
+/// `through` minus the mean of `east` at its two faces along x. The heat of a film needs both, which nearly cancel
+/// in an inlet.
 ///
 /// ```
 /// use stribeck::reynolds::FilmFlows;
@@ -55,18 +55,18 @@ impl FlowBalance {
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct FilmFlows {
-    /// By pressure through the face between the node and the next one along x; zero at the edge of the box.
+    /// Pressure flow through the face between the node and the next one along x; zero at the edge of the box.
     pub east: Vec<f64>,
-    /// By pressure through the face between the node and the next one along y; zero at the edge of the box.
+    /// Pressure flow through the face between the node and the next one along y; zero at the edge of the box.
     pub north: Vec<f64>,
-    /// All that flows along x through the cell of the node: mean over its two faces along x.
+    /// Total flow along x through the cell of the node: the mean over its two faces along x.
     pub through: Vec<f64>,
-    /// Whether the pressure at the outermost nodes is given; else it is ambient half a cell beyond them.
+    /// Whether the pressure of the outermost nodes is prescribed; otherwise it is ambient half a cell outside.
     pub has_edge_pressure: bool,
 }
 
 impl FilmFlows {
-    /// Fields of zeros for `n` nodes; those that fit are emptied alone.
+    /// Resizes to fields of zeros for `n` nodes without reallocation if possible.
     pub fn resize(&mut self, n: usize) {
         for field in [&mut self.east, &mut self.north, &mut self.through] {
             field.clear();
@@ -80,11 +80,11 @@ mod tests {
     use super::FlowBalance;
 
     #[test]
-    fn what_is_stored_balances() {
+    fn stored_mass_enters_the_imbalance() {
         let imbalance = |inflow, outflow, stored| FlowBalance::new(inflow, outflow, stored).imbalance;
         assert!((imbalance(2.0, 3.0, 0.0) - 0.5).abs() < 1e-15);
-        assert!(imbalance(2.0, 3.0, -1.0) < 1e-15, "a film that is squeezed out");
-        assert!((imbalance(0.0, 2.0, -1.0) - 0.5).abs() < 1e-15, "nothing enters");
+        assert!(imbalance(2.0, 3.0, -1.0) < 1e-15, "film squeezed out");
+        assert!((imbalance(0.0, 2.0, -1.0) - 0.5).abs() < 1e-15, "no inflow");
         assert!(imbalance(0.0, 0.0, 0.0) < 1e-15);
     }
 }

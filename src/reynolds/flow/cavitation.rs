@@ -1,12 +1,11 @@
-//! What becomes of fluid that cannot fill its gap.
+//! Cavitation conditions.
 //!
-//! The two conditions differ behind the contact, where films rupture, and in front of it where the inlet is
-//! starved. `Discretisation` makes the difference; Newton's method begins a dry start with Reynolds' condition,
-//! and multigrid's cycles always work with it.
+//! The two conditions differ where films rupture behind the contact and in a starved inlet. `Discretisation`
+//! applies them. Newton's method uses Reynolds' condition at first in a dry start, multigrid cycles always do.
 
 use crate::error::{InputError, format_number};
 
-/// What holds where the fluid pressure is at the cavitation pressure, zero.
+/// Condition where the fluid pressure is the cavitation pressure, zero.
 ///
 /// # Examples
 ///
@@ -14,7 +13,7 @@ use crate::error::{InputError, format_number};
 /// use stribeck::reynolds::Cavitation;
 /// use stribeck::sim::Scene;
 /// use stribeck::sim::{MixedLubricationSim, SimError};
-/// // A starved inlet asks for a condition that knows how much fluid there is.
+/// // A starved inlet needs a mass-conserving condition.
 /// let mut scene = Scene::azam_2019(32);
 /// scene.lubricant = scene.lubricant.map(|oil| oil.with_supplied_film(Some(100e-9)));
 /// scene.solver.cavitation = Some(Cavitation::Reynolds);
@@ -25,20 +24,20 @@ use crate::error::{InputError, format_number};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Cavitation {
-    /// Mass is conserved: the gap is filled to the content `theta`, `p_f >= 0`, `0 <= theta <= 1`,
-    /// `p_f (1 - theta) = 0`, and `theta rho h` is carried along in place of `rho h` (Elrod and Adams 1974;
-    /// as one complementary pair Giacopini, Fowell, Dini and Strozzi 2010, doi 10.1115/1.4000794). Fluid
-    /// reforms where what arrives fills the gap again.
+    /// Mass is conserved. The film fraction `theta` satisfies `p_f >= 0`, `0 <= theta <= 1`, `p_f (1 - theta) = 0`,
+    /// and `theta rho h` is entrained in place of `rho h` (Elrod and Adams 1974; as one complementarity pair
+    /// Giacopini, Fowell, Dini and Strozzi 2010, doi 10.1115/1.4000794). A film reforms where the inflow fills
+    /// the gap.
     #[default]
     MassConserving,
-    /// Reynolds' condition: a cavitated cell carries along a full film, whatever it got. Where fluid reforms,
-    /// it is made out of nothing.
+    /// Reynolds' condition: a cavitated cell entrains a full film whatever its inflow. Mass is created where a
+    /// film reforms.
     Reynolds,
 }
 
 impl Cavitation {
-    /// Refuses a supplied film `value` \[m\], named `field`, where a cell that is not filled carries on a
-    /// full film.
+    /// Rejects a supplied film `value` \[m\] under the key `field` with Reynolds' condition, which entrains a full
+    /// film from cells that are not filled.
     pub(crate) fn require_conserved(self, field: &str, value: f64) -> Result<(), InputError> {
         if self == Self::MassConserving {
             return Ok(());

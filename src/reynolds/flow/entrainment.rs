@@ -1,6 +1,6 @@
-//! What the moving surfaces carry through a face.
+//! Entrainment flux through a face.
 
-/// Discretisation of the wedge term `u d(rho h)/dx`.
+/// Discretization of the wedge term `u d(rho h)/dx`.
 ///
 /// # Examples
 ///
@@ -16,44 +16,43 @@
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Scheme {
-    /// First-order upwind: the flux through a face is that of the node upstream of it.
+    /// First-order upwind: the flux through a face is that of its upstream node.
     FirstOrder,
-    /// Second-order upwind: the flux through a face is extrapolated from the two nodes upstream of it. On
-    /// films that fall steeply it may become negative.
+    /// Second-order upwind: the flux through a face is extrapolated from the two upstream nodes. It may become
+    /// negative if the film decreases steeply.
     SecondOrder,
-    /// Limited second order: the density `rho_0 + (rho_0 - rho_-1)/2` extrapolated from the two nodes
-    /// upstream times the film of the face, `h_f = h_0 + minmod(h_0 - h_-1, h_1 - h_0)/2`, with `h_-1`, `h_0`
-    /// the films of the two nodes upstream and `h_1` that of the node downstream. `minmod` is the smaller of
-    /// both, zero where their signs differ: no film of a face is negative. With `FaceMobility::Inlet` the
-    /// extrapolation is taken times `min(1, h_0/h_-1)^2`: at the edge of a contact density rises as the film
-    /// falls, but no further behind the edge.
+    /// Limited second order. The density `rho_0 + (rho_0 - rho_-1)/2` is extrapolated from the two upstream nodes
+    /// and multiplied by the face film `h_f = h_0 + minmod(h_0 - h_-1, h_1 - h_0)/2`; `h_-1` and `h_0` are the films
+    /// of the two upstream nodes, `h_1` that of the downstream node. `minmod` is the smaller of both, or zero if
+    /// their signs differ, so that no face film is negative. With `FaceMobility::Inlet` the density extrapolation is
+    /// multiplied by `min(1, h_0/h_-1)^2`: at the edge of a contact density rises as the film decreases, but not
+    /// behind the edge.
     #[default]
     Limited,
 }
 
-/// What the film of a face is beyond that of the node upstream \[m\], with its derivatives by the films of
-/// that node, of the one downstream and of the one further upstream.
+/// Film of a face minus that of the upstream node \[m\], with its derivatives by the films of that node, of the
+/// downstream node and of the next node upstream.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct FaceFilm {
-    /// Film of the face less that of the node upstream.
+    /// Film of the face minus that of the upstream node.
     pub(super) beyond: f64,
-    /// By the film of the node upstream.
+    /// Derivative by the film of the upstream node.
     pub(super) by_own: f64,
-    /// By that of the node downstream.
+    /// Derivative by that of the downstream node.
     pub(super) by_next: f64,
-    /// By that of the node further upstream.
+    /// Derivative by that of the next node upstream.
     pub(super) by_up: f64,
 }
 
 impl FaceFilm {
-    /// The mean of both films, where there is none further upstream.
+    /// The mean of both films, without a second upstream node.
     #[inline]
     pub(super) fn central(own: f64, next: f64) -> Self {
         Self { beyond: 0.5 * (next - own), by_own: -0.5, by_next: 0.5, by_up: 0.0 }
     }
 
-    /// Half the smaller of the two differences of the films `up`, `own` and `next`, zero where their signs
-    /// differ.
+    /// Half of the smaller of the two differences of the films `up`, `own` and `next`, zero if their signs differ.
     #[inline]
     pub(super) fn limited(up: f64, own: f64, next: f64) -> Self {
         let (behind, ahead) = (own - up, next - own);
@@ -67,22 +66,22 @@ impl FaceFilm {
     }
 }
 
-/// What the density of a face is beyond that of the node upstream, extrapolated from the node further
-/// upstream, with its derivatives by the densities and the films of the two.
+/// Density of a face minus that of the upstream node, extrapolated from the next node upstream, with its
+/// derivatives by densities and films of both.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct DensityRise {
-    /// Density ratio of the face less that of the node upstream.
+    /// Density ratio of the face minus that of the upstream node.
     pub(super) rise: f64,
-    /// By the density of the node; by that of the one further upstream it is the negative.
+    /// Derivative by the density of the node; that by the density of the next node upstream is its negative.
     pub(super) by_density: f64,
-    /// By the film of the node \[1/m\].
+    /// Derivative by the film of the node \[1/m\].
     pub(super) by_own_film: f64,
-    /// By that of the one further upstream \[1/m\].
+    /// Derivative by that of the next node upstream \[1/m\].
     pub(super) by_up_film: f64,
 }
 
 impl DensityRise {
-    /// Of densities and films at the node upstream of a face, `own`, and further upstream, `up`.
+    /// From density and film of the upstream node, `own`, and of the next one upstream, `up`.
     #[inline]
     pub(super) fn new(own: (f64, f64), up: (f64, f64)) -> Self {
         let half = 0.5 * (own.0 - up.0);
@@ -101,7 +100,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn densities_are_extrapolated_where_films_do_not_fall() {
+    fn densities_are_extrapolated_for_non_decreasing_films() {
         for (films, rise) in
             [([3.0, 3.0], 0.05), ([2.0, 4.0], 0.05), ([4.0, 2.0], 0.0125), ([40.0, 1.0], 0.05 / 1600.0)]
         {
@@ -112,7 +111,7 @@ mod tests {
                 |by: [f64; 4]| DensityRise::new((1.2 + by[0], own + by[2]), (1.1 + by[1], up + by[3])).rise;
             let exact = [found.by_density, -found.by_density, found.by_own_film, found.by_up_film];
             for (slot, exact) in exact.into_iter().enumerate() {
-                // Beside the kink at equal films.
+                // Not at the kink at equal films.
                 if (up - own).abs() < 1e-9 && slot > 1 {
                     continue;
                 }
@@ -124,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn the_film_of_a_face_lies_between_those_of_its_nodes() {
+    fn face_film_is_between_the_films_of_its_nodes() {
         for up in [1.0, 2.0, 5.0, 9.0] {
             for own in [1.0, 3.0, 8.0] {
                 for next in [0.5, 3.0, 4.0, 20.0] {

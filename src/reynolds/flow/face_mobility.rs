@@ -1,9 +1,9 @@
-//! How pressure drives fluid through the face between two nodes.
+//! Pressure flow through the face between two nodes.
 
 use super::node::NodeFlow;
 use super::shear_thinning::ViscosityRatio;
 
-/// How pressure drives fluid through the face between two nodes.
+/// Law of the pressure flow through the face between two nodes.
 ///
 /// | law | `A` | potential |
 /// |---|---|---|
@@ -13,13 +13,12 @@ use super::shear_thinning::ViscosityRatio;
 /// | `Inlet`, faces along the flow with `h_0 > h_1` | that of `Wedge` times `(1 + Y)/(1 + 2 h_0^2 I)` | `q` |
 /// | `Wedge` and `Inlet`, all other faces | `2 h_0^2 h_1^2 / (h_0 + h_1)` | `q` |
 ///
-/// On faces along the flow whose films fall and whose density rises, that of `Inlet` is taken times
+/// On faces along the flow with decreasing film and increasing density, that of `Inlet` is multiplied by
 /// `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)`.
 ///
-/// The flow through the face is `A / (12 eta_0)` times the difference of the potentials over the distance.
-/// `h_0` is the film upstream, `h_1` that downstream, `h_f` that of the face, which entrainment carries
-/// through it; `Y = (h_0 - h_1)/h_1`, and `I` is the integral of `(h - h_1)/h^3` over the distance of the
-/// nodes, `Y/(2 h_0^2)` for a film that falls evenly.
+/// The flow through the face is `A / (12 eta_0)` times the potential difference over the distance. `h_0` is the
+/// upstream film, `h_1` the downstream film, `h_f` the face film of the entrainment scheme; `Y = (h_0 - h_1)/h_1`.
+/// `I` is the integral of `(h - h_1)/h^3` over the distance of the nodes, `Y/(2 h_0^2)` for a linear film.
 ///
 /// # Examples
 ///
@@ -37,59 +36,56 @@ use super::shear_thinning::ViscosityRatio;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum FaceMobility {
-    /// Arithmetic mean of the mobilities `rho h^3 / (12 eta)` of the two nodes times their pressure
-    /// difference: the usual choice.
+    /// Arithmetic mean of the nodal mobilities `rho h^3 / (12 eta)` times the pressure difference: the common
+    /// choice.
     Arithmetic,
-    /// Mean of `h^3 / (12 eta_0)` times the difference of the reduced pressures: exact in the viscosity, so
-    /// that the flow grows with the pressure difference however steep the viscosity is.
+    /// Mean of `h^3 / (12 eta_0)` times the difference of reduced pressures. It is exact in the viscosity, so that
+    /// the flow increases with the pressure difference for any viscosity law.
     ReducedPressure,
-    /// That of a film that is linear between the two nodes, reduced pressures. The exact flow between two
-    /// nodes is `u 2 h_0 h_1/(h_0 + h_1) + 2 h_0^2 h_1^2/(h_0 + h_1) (q_0 - q_1)/(12 eta_0 dx)`. Its first
-    /// term lets the film of a node upstream of a steep fall run away, so entrainment is `u h_f`; where films
-    /// fall the mobility that belongs to it gives the exact rise of pressure to the flow `u h_1` that a node
-    /// in contact passes on. The inlet in front of an asperity then builds up its pressure on cells far wider
-    /// than itself.
+    /// Mobility of a linear film between the two nodes, with reduced pressures. The exact flow is
+    /// `u 2 h_0 h_1/(h_0 + h_1) + 2 h_0^2 h_1^2/(h_0 + h_1) (q_0 - q_1)/(12 eta_0 dx)`. Its first term makes the
+    /// film upstream of a steep decrease grow without bound, so the entrainment is `u h_f`. For decreasing films the
+    /// mobility is chosen to give the exact pressure rise at the flow `u h_1` through a node in contact. The inlet
+    /// of an asperity then builds up its pressure on cells much wider than the inlet.
     Wedge,
-    /// That of a film which is flat behind the edge of a contact and rises from it as the gap of a Hertz
-    /// contact does, `s^(3/2)`. Where the edge lies is told by the films of two nodes in front of it. In
-    /// front of edges oblique to the flow the pressure that builds up is that of the flow's component along
-    /// the normal of the edge, which is taken to be that of the undeformed gap. Films that are resolved have
-    /// the mobility of `Wedge`.
+    /// Mobility of a film that is flat behind the edge of a contact and rises in front of it like the gap of a Hertz
+    /// contact, `s^(3/2)`. The edge position is reconstructed from the films of two nodes in front of it. At edges
+    /// oblique to the flow the pressure is that of the flow component along the edge normal, taken from the
+    /// undeformed gap. Resolved films have the mobility of `Wedge`.
     #[default]
     Inlet,
 }
 
-/// Where a face lies: between nodes along the flow, or across it.
+/// Direction of a face relative to the flow.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Direction {
-    /// From the first node to the second along +x: the film of the face over that of the first, and the
-    /// factor of the inlet.
+    /// Along +x: the film of the face over that of the first node, and the inlet factor.
     Along(f64, f64),
-    /// The same where nothing is carried: its mobility is that of one across.
-    AlongAtRest,
+    /// Along x without entrainment: the mobility is that of a face across.
+    AlongWithoutEntrainment,
     /// Between rows.
     Across,
 }
 
-/// Mobility of a face with its derivatives by pressure and film of its first and of its second node, by the
-/// film of the face over that of the first, and by the factor of the inlet.
+/// Mobility of a face with its derivatives by pressure and film of both nodes, by the ratio of the face film to
+/// the first film, and by the inlet factor.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceFlow {
     /// Flow over the difference of the potentials.
     pub(super) mobility: f64,
-    /// By pressure and film of the first node.
+    /// Derivatives by pressure and film of the first node.
     pub(super) first: [f64; 2],
-    /// By pressure and film of the second node.
+    /// Derivatives by pressure and film of the second node.
     pub(super) second: [f64; 2],
-    /// By the film of the face over that of the first node.
+    /// Derivative by the film of the face over that of the first node.
     pub(super) by_face_film: f64,
-    /// By the factor of the inlet.
+    /// Derivative by the inlet factor.
     pub(super) by_inlet: f64,
 }
 
 impl FaceMobility {
     /// The mobility of a Newtonian fluid between two nodes.
-    #[inline(always)] // Callers that want the mobility alone drop the derivatives.
+    #[inline(always)] // Callers that only use the mobility drop the derivatives.
     pub(super) fn of(self, fluidity: f64, a: &NodeFlow, b: &NodeFlow, direction: Direction) -> FaceFlow {
         match self {
             Self::Arithmetic | Self::ReducedPressure => FaceFlow {
@@ -119,11 +115,11 @@ impl FaceMobility {
 }
 
 impl FaceFlow {
-    /// The same times `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)` where the film falls and the density rises along
-    /// the flow: what the denser fluid carries on through the film downstream need not be pushed back in the
-    /// inlet.
+    /// Multiplies by `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)` if film decreases and density increases along the flow:
+    /// the denser fluid needs less back flow in the inlet.
     #[inline(always)]
     fn densified(self, a: &NodeFlow, b: &NodeFlow) -> Self {
+        // Relative rise of the density and decrease of the film.
         let (rise, fall) = (b.density / a.density - 1.0, 1.0 - b.film / a.film);
         if !(rise > 0.0 && fall > 0.0) {
             return self;
@@ -146,7 +142,7 @@ impl FaceFlow {
         }
     }
 
-    /// The same with shear thinning: over the mean of the viscosity ratios of the nodes.
+    /// Divides by the mean of the viscosity ratios of the nodes.
     pub(super) fn thinned(self, first: ViscosityRatio, second: ViscosityRatio) -> Self {
         let mean = 0.5 * (first.value + second.value);
         let mobility = self.mobility / mean;
@@ -163,8 +159,8 @@ impl FaceFlow {
     }
 }
 
-/// What takes the place of `h^3` between the films `a` and `b`, and its derivatives by both, by the film of
-/// the face over `a` and by the factor of the inlet.
+/// Replacement of `h^3` between the films `a` and `b`, and its derivatives by both, by the ratio of the face film
+/// to `a` and by the inlet factor.
 #[inline(always)]
 fn wedge(a: f64, b: f64, direction: Direction) -> [f64; 5] {
     let sum = a + b;
@@ -207,14 +203,14 @@ mod tests {
                     (
                         by_face,
                         match direction {
-                            Direction::AlongAtRest | Direction::Across => 0.0,
+                            Direction::AlongWithoutEntrainment | Direction::Across => 0.0,
                             Direction::Along(f, i) => slope(&|d| wedge(a, b, Direction::Along(f + d, i))[0]),
                         },
                     ),
                     (
                         by_inlet,
                         match direction {
-                            Direction::AlongAtRest | Direction::Across => 0.0,
+                            Direction::AlongWithoutEntrainment | Direction::Across => 0.0,
                             Direction::Along(f, i) => slope(&|d| wedge(a, b, Direction::Along(f, i + d))[0]),
                         },
                     ),
@@ -226,11 +222,10 @@ mod tests {
         }
     }
 
-    /// The flow of a linear film between two nodes: entrainment of the mean `2 a b / (a + b)`, exact
-    /// mobility; a face that carries the film upstream of it and lets the film downstream through needs the
-    /// same rise of pressure.
+    /// A linear film between two nodes: entrainment of the mean `2 a b / (a + b)` and exact mobility. A face that
+    /// entrains the upstream film while the downstream film passes needs the same pressure rise.
     #[test]
-    fn steep_falls_need_the_pressure_of_the_wedge() {
+    fn steep_film_steps_have_the_exact_pressure_rise() {
         for a in [5.0, 50.0, 500.0] {
             let b = 1.0;
             let exact_rise = (2.0 * a * b / (a + b) - b) / wedge(a, b, Direction::Across)[0];

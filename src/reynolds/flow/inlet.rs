@@ -1,58 +1,57 @@
-//! The inlet in front of a contact whose edge lies within a cell.
+//! Sub-cell inlet correction: the inlet of a contact whose edge is within a cell.
 //!
-//! Where solids touch, or nearly so, the film is flat behind the edge of the contact and rises in front of it
-//! as `s^(3/2)`, `s` being the distance from the edge (Hertz). With the films `h_-1`, `h_0`, `h_1` of two
-//! nodes in front of the contact and one in it, the ratio `R = (h_-1 - h_1)/(h_0 - h_1)` tells where the edge
-//! lies: `d = 1/(R^(2/3) - 1)` cells behind the node of `h_0`. It is 2 for films that fall evenly and
-//! `2^(3/2)` where the edge is at the node of `h_1`.
+//! At solid contact, or nearly so, the film is flat behind the edge and rises in front of it as `s^(3/2)`, with `s`
+//! the distance from the edge (Hertz). From the films `h_-1`, `h_0` of two nodes in front of the contact and `h_1`
+//! in it, the ratio `R = (h_-1 - h_1)/(h_0 - h_1)` gives the edge position: `d = 1/(R^(2/3) - 1)` cells behind the
+//! node of `h_0`. `R` is 2 for a linear film and `2^(3/2)` for an edge at the node of `h_1`.
 //!
-//! The flow `u h_1` through the face needs the rise `12 eta_0 u I` of the reduced pressure, `I` the integral
-//! of `(h - h_1)/h^3`. With `Y = (h_0 - h_1)/h_1` and the distance of the nodes as unit of length, `h_1^2 I`
-//! is `Y/(2 (1 + Y)^2)` for a film that falls evenly and `d G(Y)` for the edge, with `G = 2/3 Y^(-2/3)` times
-//! the integral of `z^(2/3)/(1 + z)^3` from 0 to `Y`.
+//! The flow `u h_1` through the face needs the rise `12 eta_0 u I` of the reduced pressure, where `I` is the integral
+//! of `(h - h_1)/h^3`. With `Y = (h_0 - h_1)/h_1` and the node distance as unit of length, `h_1^2 I` is
+//! `Y/(2 (1 + Y)^2)` for a linear film and `d G(Y)` for the edge; `G` is `2/3 Y^(-2/3)` times the integral of
+//! `z^(2/3)/(1 + z)^3` from 0 to `Y`.
 
-/// Ratio `R` of films that fall evenly.
+/// Ratio `R` of a linear film.
 const EVEN: f64 = 2.0;
-/// That of an edge at the node downstream, `2^(3/2)`.
+/// Ratio `R` of an edge at the downstream node, `2^(3/2)`.
 const AT_NODE: f64 = 2.0 * std::f64::consts::SQRT_2;
-/// `G(Y)` tends to this times `Y` for small falls.
+/// Limit of `G(Y)/Y` for small `Y`.
 const SMALL: f64 = 0.4;
-/// With this factor `SMALL Y/(1 + GROWTH Y)^(5/3)` has the limit of `G` at large falls too,
-/// `2/3 B(5/3, 4/3) Y^(-2/3)`; between them it is 8 % below `G` at most.
+/// With this factor `SMALL Y/(1 + GROWTH Y)^(5/3)` also has the limit of `G` for large `Y`,
+/// `2/3 B(5/3, 4/3) Y^(-2/3)`; in between it is at most 8 % below `G`.
 const GROWTH: f64 = 1.269_593_561_5;
 
-/// The mobility of a face in an inlet over that of a film which falls evenly between its nodes, with its
-/// derivatives by the films upstream of the face, at its first and at its second node \[1/m\].
+/// Inlet factor: mobility of a face over that of a linear film, with its derivatives by the film upstream of the
+/// face and by the films of its first and second node \[1/m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Inlet {
-    /// The factor, one without an inlet.
+    /// The factor; one without an inlet.
     pub(super) factor: f64,
-    /// By the film upstream of the face's nodes.
+    /// Derivative by the film upstream of the face.
     pub(super) by_up: f64,
-    /// By the film of the first node.
+    /// Derivative by the film of the first node.
     pub(super) by_own: f64,
-    /// By the film of the second node.
+    /// Derivative by the film of the second node.
     pub(super) by_next: f64,
 }
 
 impl Inlet {
-    /// Without an inlet.
+    /// No inlet.
     pub(super) const NONE: Self = Self { factor: 1.0, by_up: 0.0, by_own: 0.0, by_next: 0.0 };
 
-    /// Of the films `up`, `own` and `next` along the flow. `alignment` is the square of the cosine between
-    /// the flow and the normal of the contact's edge: in front of an oblique edge only that share of the
-    /// pressure builds up, as the fluid gives way along the edge.
+    /// From the films `up`, `own` and `next` along the flow. `alignment` is the squared cosine between the flow and
+    /// the normal of the contact edge: at an oblique edge fluid escapes along the edge, and only this fraction of
+    /// the pressure builds up.
     pub(super) fn new(up: f64, own: f64, next: f64, alignment: f64) -> Self {
         let fall = own - next;
         if !(fall > 0.0 && next > 0.0) {
             return Self::NONE;
         }
-        // `rise` is `2 h_0^2 I`, each quantity with its derivatives by `Y` and by `R`.
+        // `rise` is `2 h_0^2 I`; each quantity has derivatives by `Y` and by `R`.
         let y = fall / next;
         let one = 1.0 + y;
         let ratio = ((up - next) / fall).max(EVEN);
         let (rise, rise_y, rise_ratio) = if ratio == EVEN { (y, 1.0, 0.0) } else { edge_rise(y, ratio) };
-        // Oblique edges count where the film falls steeply: smooth films keep their order.
+        // The obliquity counts only if the film decreases steeply, so that smooth films keep their order.
         let slant = 1.0 - alignment;
         let (share, share_y) = (1.0 - slant * y / one, -slant / (one * one));
         let below = 1.0 + share * rise;
@@ -69,7 +68,7 @@ impl Inlet {
     }
 }
 
-/// `2 h_0^2 I` in front of an edge, or between that and a film that falls evenly, with its derivatives.
+/// `2 h_0^2 I` at an edge, blended to that of a linear film, with its derivatives.
 fn edge_rise(y: f64, ratio: f64) -> (f64, f64, f64) {
     let (one, grown) = (1.0 + y, 1.0 + GROWTH * y);
     let root = grown.cbrt();
@@ -77,7 +76,7 @@ fn edge_rise(y: f64, ratio: f64) -> (f64, f64, f64) {
     let g_y = g * (1.0 / y - 5.0 / 3.0 * GROWTH / grown);
     let (edge, edge_y) = (2.0 * one * one * g, 2.0 * one * (2.0 * g + one * g_y));
     if ratio < AT_NODE {
-        // The fourth power leaves the order of films that fall nearly evenly; rough contacts do not feel it.
+        // The fourth power keeps the order for nearly linear films; it has little effect on rough contacts.
         let place = (ratio - EVEN) / (AT_NODE - EVEN);
         let (weight, weight_ratio) = (place.powi(4), 4.0 * place.powi(3) / (AT_NODE - EVEN));
         return (y + weight * (edge - y), 1.0 + weight * (edge_y - 1.0), weight_ratio * (edge - y));
@@ -123,17 +122,16 @@ mod tests {
         }
     }
 
-    /// The rise of pressure up to a contact of film 1 with the flank `s^(3/2)` in front of it, wherever its
-    /// edge lies between nodes whose distance is from a tenth to a hundred lengths of the flank: within a
-    /// factor of two on average, where a film that falls evenly is up to three times off, and up to 35 times
-    /// for single places.
+    /// Pressure rise up to a contact of film 1 behind a flank `s^(3/2)`, for node distances of a tenth to a hundred
+    /// flank lengths and all edge positions between the nodes: within a factor of two on average. A linear film is off
+    /// by up to a factor of three on average and 35 for single positions.
     #[test]
-    fn the_place_of_the_edge_decides_about_the_rise_of_pressure() {
+    fn pressure_rise_depends_on_the_edge_position() {
         // 2/3 B(5/3, 4/3).
         let exact = 0.268_711;
         let rise = |distance: f64, place: f64, with_inlet: bool| {
             let film = |j: i32| 1.0 + (f64::from(j) + place).max(0.0).powf(1.5) * distance.powf(1.5);
-            // The face from node j to node j - 1, the edge between the nodes 0 and -1.
+            // The face from node j to node j - 1; the edge is between the nodes 0 and -1.
             (0..400).fold(0.0, |sum, j| {
                 let (up, own, next) = (film(j + 1), film(j), if j == 0 { 1.0 } else { film(j - 1) });
                 let face = own - 0.5 * (up - own).min(own - next);
@@ -155,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn films_that_fall_evenly_have_none() {
+    fn linear_films_have_unit_inlet_factor() {
         for films in [[4.0, 3.0, 2.0], [3.0, 3.0, 2.0]] {
             let inlet = Inlet::new(films[0], films[1], films[2], 1.0);
             assert!((inlet.factor - 1.0).abs() < 1e-15 && inlet.by_up.abs() < 1e-15, "{inlet:?}");

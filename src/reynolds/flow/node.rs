@@ -1,15 +1,15 @@
 //! The fluid at one node.
 //!
-//! Made once a node and evaluation, used by its four faces.
+//! Computed once per node and evaluation, used by its four faces.
 
-/// What the balance needs to know of one node; `_p` and `_h` are derivatives by pressure and film.
+/// Fluid quantities of one node; `_p` and `_h` are derivatives by pressure and film.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::reynolds) struct NodeFlow {
     /// `rho/rho_0`.
     pub(in crate::reynolds) density: f64,
     /// Its derivative \[1/Pa\].
     pub(in crate::reynolds) density_p: f64,
-    /// Film that pressure flows through \[m\]: at least half the contact film, zero where that is closed.
+    /// Film in the mobility \[m\]: at least half the contact film, zero if closed.
     pub(super) film: f64,
     /// Its derivative by the film.
     pub(super) film_h: f64,
@@ -19,8 +19,7 @@ pub(in crate::reynolds) struct NodeFlow {
     pub(super) mobility_p: f64,
     /// Its derivative by the film.
     pub(super) mobility_h: f64,
-    /// What the flow through a face is the difference of \[Pa\]: the reduced pressure, or the pressure for
-    /// arithmetic means.
+    /// Potential of the pressure flow \[Pa\]: the reduced pressure, or the pressure for arithmetic means.
     pub(super) potential: f64,
     /// Its derivative.
     pub(super) potential_p: f64,

@@ -37,9 +37,9 @@ pub(super) struct Fluid {
     /// Its derivative.
     density_s: f64,
     /// Film fraction.
-    pub(super) content: f64,
+    pub(super) theta: f64,
     /// Its derivative.
-    content_s: f64,
+    theta_s: f64,
 }
 
 /// Flow through a face, with derivatives by the unknowns of both nodes.
@@ -59,7 +59,7 @@ pub(super) struct Flow {
 
 /// Flow through the edges of the box \[m\].
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Through {
+pub(super) struct BoundaryFlux {
     /// Inflow through all edges.
     pub(super) inflow: f64,
     /// Outflow through all edges.
@@ -68,7 +68,7 @@ pub(super) struct Through {
     pub(super) rounding: f64,
 }
 
-impl Through {
+impl BoundaryFlux {
     /// `|out - in| / in`; zero without flow.
     pub(super) fn imbalance(self) -> f64 {
         let difference = (self.outflow - self.inflow).abs();
@@ -110,7 +110,7 @@ pub(super) struct Balance<'a> {
     scale: Vec<f64>,
     /// Growth of the outflow of a full node with its pressure, over the growth with a film that ruptures
     /// downstream of it.
-    landing: Vec<f64>,
+    rupture_ratio: Vec<f64>,
     /// The fluid at the edges across x.
     edge: Fluid,
     /// Density ratio where the film is cavitated.
@@ -157,13 +157,13 @@ impl<'a> Balance<'a> {
         }
         let [q_cavitation, slope, density, _] = point(problem.lubricant, problem.cavitation_pressure);
         let [q_ambient, _, ambient_density, _] = point(problem.lubricant, problem.ambient_pressure);
-        let (mut scale, mut landing) = (Vec::with_capacity(grid.len()), Vec::with_capacity(grid.len()));
+        let (mut scale, mut rupture_ratio) = (Vec::with_capacity(grid.len()), Vec::with_capacity(grid.len()));
         for (j, i) in (0..ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
             let k = j * nx + i;
             let [west, east] = [0, 1].map(|side| faces[j * (nx + 1) + i + side]);
             let conductances = west.conductance + east.conductance + across[k] + across[k + nx];
             scale.push(density * east.film / (slope * conductances));
-            landing.push(conductances / (conductances - east.conductance + east.first_conductance));
+            rupture_ratio.push(conductances / (conductances - east.conductance + east.first_conductance));
         }
         Self {
             film,
@@ -174,11 +174,11 @@ impl<'a> Balance<'a> {
             faces,
             across,
             scale,
-            landing,
+            rupture_ratio,
             edge: Fluid {
                 potential: q_ambient - q_cavitation,
                 density: ambient_density,
-                content: 1.0,
+                theta: 1.0,
                 ..Fluid::default()
             },
             cavitated_density: density,
@@ -187,10 +187,10 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// The unknown of a node at `pressure` and film fraction `content`.
-    pub(super) fn unknown(&self, k: usize, pressure: f64, content: f64) -> f64 {
+    /// The unknown of a node at `pressure` and film fraction `theta`.
+    pub(super) fn unknown(&self, k: usize, pressure: f64, theta: f64) -> f64 {
         let above = pressure - self.cavitation;
-        if above > 0.0 { above / self.scale[k] } else { content - 1.0 }
+        if above > 0.0 { above / self.scale[k] } else { theta - 1.0 }
     }
 
     /// Pressure \[Pa\] of a node.
@@ -209,7 +209,7 @@ impl<'a> Balance<'a> {
     /// film that ruptures downstream of it has a larger outflow than a full one.
     pub(super) fn moved(&self, k: usize, unknown: f64, change: f64) -> f64 {
         let next = unknown - change;
-        if unknown < 0.0 && next > 0.0 { self.landing[k] * next } else { next }
+        if unknown < 0.0 && next > 0.0 { self.rupture_ratio[k] * next } else { next }
     }
 
     /// Updates the fluid of all nodes from their unknowns.
@@ -224,8 +224,8 @@ impl<'a> Balance<'a> {
         if s < 0.0 {
             return Fluid {
                 density: self.cavitated_density,
-                content: 1.0 + s,
-                content_s: 1.0,
+                theta: 1.0 + s,
+                theta_s: 1.0,
                 ..Fluid::default()
             };
         }
@@ -236,8 +236,8 @@ impl<'a> Balance<'a> {
             potential_s: scale * slope,
             density,
             density_s: scale * density_slope,
-            content: 1.0,
-            content_s: 0.0,
+            theta: 1.0,
+            theta_s: 0.0,
         }
     }
 
@@ -248,6 +248,7 @@ impl<'a> Balance<'a> {
         for (j, i) in rows.flat_map(|j| (0..nx).map(move |i| (j, i))) {
             let k = j * nx + i;
             for _ in 0..LOCAL_STEPS {
+                // Newton step on the net outflow of the cell.
                 let [west, east] = [self.flow_along(i, j), self.flow_along(i + 1, j)];
                 let [south, north] = [self.flow_across(i, j), self.flow_across(i, j + 1)];
                 let outflow = east.value - west.value + north.value - south.value;
@@ -257,6 +258,7 @@ impl<'a> Balance<'a> {
                     unknowns[k] = self.moved(k, before, outflow / slope);
                     self.fluids[k] = self.fluid(k, unknowns[k]);
                 }
+                // Repeat only if the cell changes between full and cavitated.
                 if (unknowns[k] < 0.0) == (before < 0.0) {
                     break;
                 }
@@ -277,15 +279,17 @@ impl<'a> Balance<'a> {
         let [first, second] = self.ends_along(i, j);
         let density = 0.5 * (first.density + second.density);
         let c = face.conductance;
-        let joined = density * first.content * face.film + c * (first.potential - second.potential);
+        // Flow of a full film through both pieces.
+        let joined = density * first.theta * face.film + c * (first.potential - second.potential);
+        // Flow of the first piece alone, with rupture at the joint.
         let ruptured_density = 0.5 * (first.density + self.cavitated_density);
         let alone =
-            ruptured_density * first.content * face.first_film + face.first_conductance * first.potential;
+            ruptured_density * first.theta * face.first_film + face.first_conductance * first.potential;
         if alone < joined {
             Flow {
                 value: alone,
                 by_first: face.first_film
-                    * (ruptured_density * first.content_s + 0.5 * first.density_s * first.content)
+                    * (ruptured_density * first.theta_s + 0.5 * first.density_s * first.theta)
                     + face.first_conductance * first.potential_s,
                 by_second: 0.0,
                 ruptured: true,
@@ -294,9 +298,9 @@ impl<'a> Balance<'a> {
         } else {
             Flow {
                 value: joined,
-                by_first: face.film * (density * first.content_s + 0.5 * first.density_s * first.content)
+                by_first: face.film * (density * first.theta_s + 0.5 * first.density_s * first.theta)
                     + c * first.potential_s,
-                by_second: 0.5 * face.film * first.content * second.density_s - c * second.potential_s,
+                by_second: 0.5 * face.film * first.theta * second.density_s - c * second.potential_s,
                 ruptured: false,
                 terms: c * (first.potential + second.potential),
             }
@@ -320,24 +324,24 @@ impl<'a> Balance<'a> {
 
     /// Net outflow of each cell \[m\], and its derivatives by the unknowns of the cell and its neighbors to
     /// the east, west, north and south. Returns the flow through the edges of the box.
-    pub(super) fn linearise(&self, outflow: &mut [f64], stencil: &mut [f64]) -> Through {
+    pub(super) fn linearise(&self, outflow: &mut [f64], stencil: &mut [f64]) -> BoundaryFlux {
         let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
         outflow.fill(0.0);
         stencil.fill(0.0);
-        let (mut through, mut terms) = ([0.0; 2], 0.0);
+        let (mut boundary_flux, mut terms) = ([0.0; 2], 0.0);
         let mut add = |flow: Flow, first: Option<usize>, second: Option<usize>, forward: usize| {
             terms += flow.terms;
             if let Some(k) = first {
                 outflow[k] += flow.value;
                 stencil[STENCIL * k] += flow.by_first;
             } else {
-                through[usize::from(flow.value < 0.0)] += flow.value.abs();
+                boundary_flux[usize::from(flow.value < 0.0)] += flow.value.abs();
             }
             if let Some(k) = second {
                 outflow[k] -= flow.value;
                 stencil[STENCIL * k] -= flow.by_second;
             } else {
-                through[usize::from(flow.value > 0.0)] += flow.value.abs();
+                boundary_flux[usize::from(flow.value > 0.0)] += flow.value.abs();
             }
             if let (Some(first), Some(second)) = (first, second) {
                 stencil[STENCIL * first + forward] += flow.by_second;
@@ -356,7 +360,7 @@ impl<'a> Balance<'a> {
                 add(self.flow_across(i, j), first, (j < ny).then_some(j * nx + i), 3);
             }
         }
-        let [inflow, outflow] = through;
-        Through { inflow, outflow, rounding: ROUNDING * terms }
+        let [inflow, outflow] = boundary_flux;
+        BoundaryFlux { inflow, outflow, rounding: ROUNDING * terms }
     }
 }

@@ -44,14 +44,14 @@ impl Piece {
 
 /// The interval along x between two nodes, or between the edge of the box and a node, in the order of x.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Way {
+pub(super) struct FaceIntegral {
     /// Position of the joint of the two pieces, over the length of the interval.
     pub(super) share: f64,
     /// The pieces before and after the joint.
     pub(super) pieces: [Piece; 2],
 }
 
-impl Way {
+impl FaceIntegral {
     /// The interval with x reversed.
     pub(super) fn reversed(self) -> Self {
         let [first, second] = self.pieces;
@@ -83,7 +83,7 @@ pub struct FilmThickness {
     /// Film at the nodes \[m\].
     nodes: Vec<f64>,
     /// Intervals along x, `nx + 1` per row.
-    along: Vec<Way>,
+    along: Vec<FaceIntegral>,
     /// `1/h^3` integrated over the intervals along y, `ny + 1` rows of `nx` \[1/m^2\].
     across: Vec<f64>,
 }
@@ -105,7 +105,7 @@ impl FilmThickness {
                 let (west, east) = neighbours(row, i);
                 let inside = i > 0 && i < nx;
                 let length = if inside { half_x } else { 0.5 * half_x };
-                along.push(Way {
+                along.push(FaceIntegral {
                     share: 0.5,
                     pieces: [Piece::constant(west, length), Piece::constant(east, length)],
                 });
@@ -140,18 +140,21 @@ impl FilmThickness {
         let mut along = Vec::with_capacity((nx + 1) * ny);
         for y in (0..ny).map(|j| grid.y(j)) {
             for i in 0..=nx {
-                along.push(way(|x| thickness(x, y), ends(i, nx, grid.x(0), dx)));
+                along.push(face_integral(|x| thickness(x, y), ends(i, nx, grid.x(0), dx)));
             }
         }
         let mut across = Vec::with_capacity(nx * (ny + 1));
         for j in 0..=ny {
             let ends = ends(j, ny, grid.y(0), dy);
             for x in (0..nx).map(|i| grid.x(i)) {
-                let [south, north] = way(|y| thickness(x, y), ends).pieces;
+                let [south, north] = face_integral(|y| thickness(x, y), ends).pieces;
                 across.push(south.cubes + north.cubes);
             }
         }
-        let pieces = along.iter().flat_map(|way| way.pieces).flat_map(|piece| [piece.squares, piece.cubes]);
+        let pieces = along
+            .iter()
+            .flat_map(|face_integral| face_integral.pieces)
+            .flat_map(|piece| [piece.squares, piece.cubes]);
         if let Some(bad) = pieces.chain(across.iter().copied()).find(|v| !(v.is_finite() && *v > 0.0)) {
             return Err(InputError::Conflict {
                 field: "film".to_owned(),
@@ -174,7 +177,7 @@ impl FilmThickness {
     }
 
     /// The interval that ends at node `(i, j)`; `i = nx` ends at the edge of the box.
-    pub(super) fn along(&self, i: usize, j: usize) -> Way {
+    pub(super) fn along(&self, i: usize, j: usize) -> FaceIntegral {
         self.along[j * (self.grid.nx() + 1) + i]
     }
 
@@ -193,7 +196,7 @@ impl FilmThickness {
             along: self
                 .along
                 .chunks_exact(nx + 1)
-                .flat_map(|row| row.iter().rev().map(|way| way.reversed()))
+                .flat_map(|row| row.iter().rev().map(|face_integral| face_integral.reversed()))
                 .collect(),
             across: rows(&self.across),
         }
@@ -236,7 +239,7 @@ fn neighbours(row: &[f64], i: usize) -> (f64, f64) {
 }
 
 /// The two pieces between `ends`, joined at the film jump or in the middle.
-fn way(film: impl Fn(f64) -> f64, ends: [f64; 2]) -> Way {
+fn face_integral(film: impl Fn(f64) -> f64, ends: [f64; 2]) -> FaceIntegral {
     let [start, end] = ends;
     let at = |share: f64| film(start + share * (end - start));
     let (mut low, mut high) = (0.0, 1.0);
@@ -260,7 +263,7 @@ fn way(film: impl Fn(f64) -> f64, ends: [f64; 2]) -> Way {
         let [one, other] = PLACES.map(|place| Piece::constant(at(from + place * (to - from)), length));
         one.and(other)
     };
-    Way { share, pieces: [piece(0.0, share), piece(share, 1.0)] }
+    FaceIntegral { share, pieces: [piece(0.0, share), piece(share, 1.0)] }
 }
 
 #[cfg(test)]
@@ -268,21 +271,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn jumps_are_found_wherever_they_are() {
+    fn jumps_are_found_at_any_position() {
         for edge in [1e-5, 0.1, 0.5, 0.77, 0.999] {
-            let found = way(|x| if x < edge { 3.0 } else { 1.0 + 0.1 * x }, [0.0, 1.0]);
+            let found = face_integral(|x| if x < edge { 3.0 } else { 1.0 + 0.1 * x }, [0.0, 1.0]);
             assert!((found.share - edge).abs() < 2e-6, "{edge}: {}", found.share);
             assert!((found.pieces[0].cubes - found.share / 27.0).abs() < 1e-9);
         }
         // A jump closer to a node than the smallest distance is moved to that distance.
-        let close = way(|x| if x < 1e-8 { 3.0 } else { 1.0 }, [0.0, 1.0]);
+        let close = face_integral(|x| if x < 1e-8 { 3.0 } else { 1.0 }, [0.0, 1.0]);
         assert!((close.share - CLOSEST).abs() < 1e-12);
         // A slope is not a jump.
-        assert!((way(|x| 1.0 + 0.3 * x, [0.0, 1.0]).share - 0.5).abs() < 1e-12);
+        assert!((face_integral(|x| 1.0 + 0.3 * x, [0.0, 1.0]).share - 0.5).abs() < 1e-12);
     }
 
     #[test]
-    fn films_that_are_not_positive_are_named() {
+    fn error_names_the_position_of_a_non_positive_film() {
         let grid = Grid::from_edges(3, 1, [0.0, 3.0], [0.0, 1.0]).unwrap();
         let error = |film: &[f64]| FilmThickness::from_nodes(grid, film).unwrap_err().to_string();
         assert!(error(&[1.0, -2.0, 1.0]).contains("film[1] = -2"));

@@ -5,7 +5,7 @@
 //! After an increase of the residual, the sum of all absolute imbalances, the next step is shortened.
 //! Convergence: a residual of 1e-10 of the inflow, or of the rounding error.
 
-use super::balance::{Balance, Through};
+use super::balance::{Balance, BoundaryFlux};
 use super::film::FilmThickness;
 use super::linear::LinearSolver;
 use super::{GivenFilm, IMBALANCE};
@@ -36,7 +36,7 @@ pub(super) struct Solved<'a> {
     /// Sum of the absolute imbalances of all cells over the inflow.
     pub(super) residual: f64,
     /// Flow through the edges.
-    pub(super) through: Through,
+    pub(super) boundary_flux: BoundaryFlux,
     /// Newton steps on this grid.
     pub(super) steps: u64,
     /// Solves with a factorised matrix.
@@ -52,7 +52,7 @@ struct Start {
     /// Pressures there \[Pa\].
     pressure: Vec<f64>,
     /// Film fractions there.
-    content: Vec<f64>,
+    theta: Vec<f64>,
     /// Newton steps on this and all coarser grids.
     steps: u64,
 }
@@ -72,10 +72,10 @@ pub(super) fn solve<'a>(
     while let Some(film) = films.pop() {
         let solved = on_grid(problem, &film, speed, (start.as_ref(), COARSE_TOLERANCE), interrupted)?;
         let pressure = (0..).zip(&solved.unknowns).map(|(k, &s)| solved.balance.pressure(k, s)).collect();
-        let content = solved.unknowns.iter().map(|&s| 1.0 + s.min(0.0)).collect();
+        let theta = solved.unknowns.iter().map(|&s| 1.0 + s.min(0.0)).collect();
         let steps = solved.steps + solved.coarse_steps;
         drop(solved);
-        start = Some(Start { film, pressure, content, steps });
+        start = Some(Start { film, pressure, theta, steps });
     }
     on_grid(problem, film, speed, (start.as_ref(), IMBALANCE), interrupted)
 }
@@ -107,7 +107,7 @@ fn on_grid<'a>(
         }
         // Evaluate the balances and their derivatives at the current state.
         balance.update(&unknowns);
-        let through = balance.linearise(&mut outflow, &mut stencil);
+        let boundary_flux = balance.linearise(&mut outflow, &mut stencil);
         let residual = outflow.iter().map(|f| f.abs()).sum::<f64>();
         // Keep the best state.
         if residual < best.0 {
@@ -115,8 +115,8 @@ fn on_grid<'a>(
             best.1.copy_from_slice(&unknowns);
         }
         // Check convergence of the cells and of the box.
-        let bound = through.rounding.max(tolerance * through.inflow);
-        if residual <= bound && through.imbalance() <= tolerance {
+        let bound = boundary_flux.rounding.max(tolerance * boundary_flux.inflow);
+        if residual <= bound && boundary_flux.imbalance() <= tolerance {
             break Status::Converged;
         }
         if steps == MAX_STEPS {
@@ -147,11 +147,11 @@ fn on_grid<'a>(
         unknowns.copy_from_slice(&best.1);
         balance.update(&unknowns);
     }
-    let through = balance.linearise(&mut outflow, &mut stencil);
+    let boundary_flux = balance.linearise(&mut outflow, &mut stencil);
     let residual = outflow.iter().map(|f| f.abs()).sum::<f64>();
-    let residual = if residual > 0.0 { residual / through.inflow } else { 0.0 };
+    let residual = if residual > 0.0 { residual / boundary_flux.inflow } else { 0.0 };
     let coarse_steps = start.map_or(0, |start| start.steps);
-    Some(Solved { balance, unknowns, status, residual, through, steps, substitutions, coarse_steps })
+    Some(Solved { balance, unknowns, status, residual, boundary_flux, steps, substitutions, coarse_steps })
 }
 
 /// Unknowns interpolated from the coarser grid; ambient pressure on the coarsest.
@@ -166,7 +166,7 @@ fn first_unknowns(balance: &Balance<'_>, start: Option<&Start>) -> Vec<f64> {
         .map(|(k, (x, y))| match start {
             Some(start) => {
                 let pressure = at(start, &start.pressure, [x, y]);
-                balance.unknown(k, pressure, at(start, &start.content, [x, y]))
+                balance.unknown(k, pressure, at(start, &start.theta, [x, y]))
             }
             None => balance.unknown(k, balance.ambient, 1.0),
         })

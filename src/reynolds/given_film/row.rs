@@ -24,7 +24,7 @@ pub(super) fn lengths(film: &FilmThickness, i: usize, j: usize) -> [f64; 2] {
 }
 
 /// The interval from one node of a row to the next.
-struct Stretch {
+struct Segment {
     /// The node at its end.
     node: [usize; 2],
     /// Its start \[m\].
@@ -66,7 +66,7 @@ impl Row {
             row.walk(
                 problem,
                 solved,
-                &Stretch { node: [i, j], from: x, lengths, pressures: [before, after] },
+                &Segment { node: [i, j], from: x, lengths, pressures: [before, after] },
             );
             x += lengths[0] + lengths[1];
             row.profile.push([x, after]);
@@ -81,8 +81,8 @@ impl Row {
     }
 
     /// Adds one interval.
-    fn walk(&mut self, problem: &GivenFilm<'_>, solved: &Solved<'_>, stretch: &Stretch) {
-        let Stretch { node: [i, j], from: x, lengths, pressures } = *stretch;
+    fn walk(&mut self, problem: &GivenFilm<'_>, solved: &Solved<'_>, segment: &Segment) {
+        let Segment { node: [i, j], from: x, lengths, pressures } = *segment;
         let balance = &solved.balance;
         let pieces = problem.film.along(i, j).pieces;
         let [first, second] = balance.ends_along(i, j);
@@ -91,7 +91,7 @@ impl Row {
         // Rise of the reduced pressure over a full piece.
         let [rise, further] =
             pieces.map(|piece| balance.drag * (density * piece.squares - flow.value * piece.cubes));
-        let cavitated = first.content < 1.0;
+        let cavitated = first.theta < 1.0;
         let potential = if flow.ruptured {
             0.0
         } else if !cavitated {
@@ -127,16 +127,16 @@ impl Row {
         let behind = if flow.ruptured {
             (flow.value / (balance.cavitated_density * pieces[1].film())).min(1.0)
         } else {
-            first.content
+            first.theta
         };
         let sliding = problem.speeds[1] - problem.speeds[0];
         let ends = [[pressures[0], middle], [middle, pressures[1]]];
-        for (((piece, length), content), [from, to]) in
-            pieces.iter().zip(lengths).zip([first.content, behind]).zip(ends)
+        for (((piece, length), theta), [from, to]) in
+            pieces.iter().zip(lengths).zip([first.theta, behind]).zip(ends)
         {
             let film = piece.film();
             let viscosity = problem.lubricant.viscosity().viscosity(0.5 * (from + to));
-            let by_sliding = viscosity * content * sliding * length / film;
+            let by_sliding = viscosity * theta * sliding * length / film;
             let by_pressure = 0.5 * film * (to - from);
             self.friction[0] += by_sliding - by_pressure;
             self.friction[1] -= by_sliding + by_pressure;

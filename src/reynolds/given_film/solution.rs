@@ -137,7 +137,8 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
 fn moving(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilmSolution {
     let grid = problem.film.grid();
     let rows: Vec<Row> = (0..grid.ny()).map(|j| Row::new(problem, &solved, j)).collect();
-    let Solved { balance, unknowns, status, residual, through, steps, substitutions, coarse_steps } = solved;
+    let Solved { balance, unknowns, status, residual, boundary_flux, steps, substitutions, coarse_steps } =
+        solved;
     let unit = speed * grid.dy();
     let sum = |of: fn(&Row) -> f64| rows.iter().map(of).sum::<f64>() * grid.dy();
     GivenFilmSolution {
@@ -146,9 +147,9 @@ fn moving(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilmS
         load: sum(Row::load),
         friction: [sum(|row| row.friction[0]), sum(|row| row.friction[1])],
         flow: FlowBalance {
-            inflow: through.inflow * unit,
-            outflow: through.outflow * unit,
-            imbalance: through.imbalance(),
+            inflow: boundary_flux.inflow * unit,
+            outflow: boundary_flux.outflow * unit,
+            imbalance: boundary_flux.imbalance(),
         },
         coarse_steps,
         report: report(status, residual, steps, substitutions),

@@ -6,7 +6,7 @@
 use super::linearization::{FaceFlows, single, store};
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
-use crate::reynolds::flow::{Course, Discretisation};
+use crate::reynolds::flow::{Discretisation, SweepOrder};
 
 /// Derivatives of the entrainment through the faces to the north of the nodes, and its changes.
 #[derive(Debug)]
@@ -14,7 +14,7 @@ pub(super) struct Across {
     /// Nodes in a row.
     nx: usize,
     /// Direction of entrainment along the columns.
-    course: Course,
+    sweep_order: SweepOrder,
     /// Derivatives, by face.
     pub(super) faces: FaceFlows,
     /// Changes of the entrainment through these faces.
@@ -32,7 +32,7 @@ impl Across {
         let zeros = || vec![0.0; grid.len()];
         Self {
             nx: grid.nx(),
-            course: Course::default(),
+            sweep_order: SweepOrder::default(),
             faces: std::array::from_fn(|_| zeros()),
             change: zeros(),
             east_change: zeros(),
@@ -41,16 +41,16 @@ impl Across {
         }
     }
 
-    /// Evaluates the derivatives at the last update of `fluid`, whose surfaces move along `course`.
-    pub(super) fn update(&mut self, fluid: &Discretisation, course: &Course, stiffness: f64) {
-        self.course.clone_from(course);
+    /// Evaluates the derivatives at the last update of `fluid`, with the flow direction `sweep_order`.
+    pub(super) fn update(&mut self, fluid: &Discretisation, sweep_order: &SweepOrder, stiffness: f64) {
+        self.sweep_order.clone_from(sweep_order);
         for k in 0..self.change.len() - self.nx {
             store(&mut self.faces, k, fluid.across_derivatives(k), stiffness);
         }
         for (k, advected) in self.advected.iter_mut().enumerate() {
-            *advected = single(fluid.passed_across(k));
+            *advected = single(fluid.advected_fraction_across(k));
         }
-        for (theta, of_node) in self.theta.iter_mut().zip(fluid.content()) {
+        for (theta, of_node) in self.theta.iter_mut().zip(fluid.film_fractions()) {
             *theta = single(*of_node);
         }
     }
@@ -67,12 +67,13 @@ impl Across {
         out: &mut [f32],
     ) {
         let nx = self.nx;
-        let Self { course, change, east_change, theta, .. } = self;
+        let Self { sweep_order, change, east_change, theta, .. } = self;
         for (j, [_, up]) in upwind.iter().enumerate() {
             east_change[j * nx] = beyond[j * nx] - up * mass[j * nx];
         }
-        for k in (1..nx - 1).flat_map(|i| course.downstream(i)) {
-            let ([enters, leaves], sign, [here, up]) = (course.faces(k), course.sign(k), upwind[k / nx]);
+        for k in (1..nx - 1).flat_map(|i| sweep_order.downstream(i)) {
+            let ([enters, leaves], sign, [here, up]) =
+                (sweep_order.faces(k), sweep_order.sign(k), upwind[k / nx]);
             let flow = out[k] - east_change[k - 1] - sign * change[enters];
             // Outflow of a full gap, along x and across it.
             let (east, next) = (beyond[k] - up * mass[k], sign * change[leaves]);
@@ -98,7 +99,7 @@ impl Across {
         dof_map: impl Fn(usize) -> [f32; 2],
         (is_coupled, advected): (&[bool], &[f32]),
     ) {
-        let (nx, [enters, _]) = (self.nx, self.course.faces(k));
+        let (nx, [enters, _]) = (self.nx, self.sweep_order.faces(k));
         let share = if is_coupled[k] { advected[k] } else { 1.0 };
         let by_unknown = |[p, h]: [f32; 2], o: usize| {
             let [pressure, film] = dof_map(o);

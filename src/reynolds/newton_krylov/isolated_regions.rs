@@ -53,7 +53,7 @@ impl IsolatedRegions {
         state: &mut ContactState,
     ) {
         let Some(lubricant) = problem.lubricant else { return };
-        if !coupled.fluid.conserves_mass() || coupled.fluid.course().is_some() {
+        if !coupled.fluid.conserves_mass() || coupled.fluid.sweep_order().is_some() {
             return;
         }
         // Films after the elimination of the nodes: the predicted ones plus their own response.

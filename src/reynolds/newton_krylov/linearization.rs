@@ -29,7 +29,7 @@ pub(super) struct Linearization {
     /// Of the entrainment through the face to the east of each node beyond the mass of that node, in schemes of
     /// higher order.
     beyond: [Vec<f32>; 5],
-    carries_beyond: bool,
+    has_entrainment_corrections: bool,
     beyond_change: Vec<f32>,
     /// Share of a change of inflow that nodes that are not filled advect downstream; zero elsewhere.
     advected: Vec<f32>,
@@ -54,7 +54,7 @@ impl Linearization {
             east: faces(),
             north: faces(),
             beyond: std::array::from_fn(|_| zeros()),
-            carries_beyond: false,
+            has_entrainment_corrections: false,
             beyond_change: zeros(),
             advected: zeros(),
             upwind: vec![[0.0; 2]; grid.ny()],
@@ -77,7 +77,7 @@ impl Linearization {
             self.mass[1][k] = single(by_film);
         }
         for (k, advected) in self.advected.iter_mut().enumerate() {
-            *advected = single(fluid.passed(k));
+            *advected = single(fluid.advected_fraction(k));
         }
         // Flow by pressure through the faces.
         for k in 0..n - 1 {
@@ -87,8 +87,8 @@ impl Linearization {
             store(&mut self.north, k, fluid.north_flow_derivatives(k), stiffness);
         }
         // Entrainment beyond the masses, and its coefficients.
-        self.carries_beyond = fluid.carries_beyond();
-        if self.carries_beyond {
+        self.has_entrainment_corrections = fluid.has_entrainment_corrections();
+        if self.has_entrainment_corrections {
             for k in 0..n {
                 let scales = [stiffness, stiffness, 1.0, 1.0, 1.0];
                 let derivatives = fluid.beyond_derivatives(k);
@@ -103,9 +103,9 @@ impl Linearization {
             *upwind = fluid.mass_coefficients(j * nx).map(single);
             *near = fluid.five_point_mass_coefficients(j * nx).map(single);
         }
-        self.across = fluid.course().map(|course| {
+        self.across = fluid.sweep_order().map(|sweep_order| {
             let mut across = self.across.take().unwrap_or_else(|| Box::new(Across::new(&self.grid)));
-            across.update(fluid, course, stiffness);
+            across.update(fluid, sweep_order, stiffness);
             across
         });
     }
@@ -122,7 +122,7 @@ impl Linearization {
             *mass = a * p + b * h;
         }
         flow_changes(&self.east, 1, pressure, film, &mut self.east_change);
-        if self.carries_beyond {
+        if self.has_entrainment_corrections {
             beyond_changes(&self.beyond, pressure, film, &mut self.beyond_change);
         }
         if ny > 1 {

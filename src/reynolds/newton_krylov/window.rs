@@ -105,7 +105,7 @@ impl Window {
         self.first = place(k % whole.nx(), self.grid.nx(), whole.nx())
             + place(k / whole.nx(), self.grid.ny(), whole.ny()) * whole.nx();
         // Coefficients of the flow, states of the nodes, prediction.
-        self.fluid.look_at(&coupled.fluid, self.first);
+        self.fluid.set_window(&coupled.fluid, self.first);
         for q in 0..self.grid.len() {
             let k = self.whole_index(q);
             self.nodes[q] = NodeSolution {

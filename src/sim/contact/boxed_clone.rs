@@ -1,14 +1,14 @@
-//! Parts of a simulation that work on buffers of their own and are copied with it.
+//! Cloning of boxed components with own buffers.
 //!
-//! A clone of a simulation needs deformation model and solver of its own, which trait objects do not give.
-//! What a builder takes is `Clone`, so that these traits are implemented for all of it.
+//! A clone of a simulation needs its own deformation model and solver, which plain trait objects cannot clone. A
+//! builder accepts types that are `Clone`, for which these traits are implemented.
 
 use crate::elastic::DeformationModel;
 use crate::reynolds::ContactSolver;
 
-/// A deformation model that can be copied.
+/// A deformation model that can be cloned in its box.
 pub(in crate::sim) trait OwnedModel: DeformationModel {
-    /// A copy with buffers of its own.
+    /// A copy with its own buffers.
     fn copied(&self) -> Box<dyn OwnedModel>;
 }
 
@@ -20,14 +20,14 @@ impl<T: DeformationModel + Clone + 'static> OwnedModel for T {
 
 impl Clone for Box<dyn OwnedModel> {
     fn clone(&self) -> Self {
-        // Of the model, not of its box.
+        // Copy the model, not its box.
         (**self).copied()
     }
 }
 
-/// A solver that can be copied.
+/// A solver that can be cloned in its box.
 pub(in crate::sim) trait OwnedSolver: ContactSolver {
-    /// A copy with buffers of its own.
+    /// A copy with its own buffers.
     fn copied(&self) -> Box<dyn OwnedSolver>;
 }
 

@@ -1,4 +1,4 @@
-//! What the tribofilms of a contact give way beyond the bodies below them.
+//! Deflection of compliant tribofilms in a contact.
 
 use crate::elastic::WithLocalCompliance;
 use crate::error::InputError;
@@ -6,17 +6,17 @@ use crate::sim::contact::interrupt::Interruptible;
 use crate::sim::contact::model::ContactModel;
 use crate::sim::scene::Scene;
 
-/// Tribofilms with elastic constants of their own.
+/// Tribofilms with elastic constants.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct CompliantFilms {
-    /// Displacement per pressure and thickness of the films of ball and disc \[1/Pa\].
+    /// Deflection per pressure and thickness of the films of ball and disc \[1/Pa\].
     per_thickness: [f64; 2],
-    /// That of both films per pressure \[m/Pa\].
+    /// Deflection of both films per pressure \[m/Pa\].
     compliance: Vec<f64>,
 }
 
 impl CompliantFilms {
-    /// Those of `scene` on `n` nodes; none where its films give way as the bodies do.
+    /// The films of `scene` on `n` nodes; `None` if they have no elastic constants.
     pub(in crate::sim) fn of(scene: &Scene, n: usize) -> Result<Option<Self>, InputError> {
         let films = scene.bonded_films()?;
         Ok(films.map(|films| Self {
@@ -25,8 +25,8 @@ impl CompliantFilms {
         }))
     }
 
-    /// Makes `bodies` give way by films of the thickness `films` \[m\] too.
-    fn lie_on(
+    /// Adds the deflection of films of thickness `films` \[m\] to `bodies`.
+    fn add_to(
         &mut self,
         bodies: &mut WithLocalCompliance<Interruptible>,
         [ball, disc]: &[Vec<f64>; 2],
@@ -40,10 +40,10 @@ impl CompliantFilms {
 }
 
 impl ContactModel {
-    /// Takes the tribofilms of ball and disc \[m\], as they lie in the contact, for the solves to come.
-    pub(in crate::sim) fn cover(&mut self, films: &[Vec<f64>; 2]) -> Result<(), InputError> {
+    /// Sets the tribofilms of ball and disc \[m\] as placed in the contact, for the next solves.
+    pub(in crate::sim) fn set_tribofilms(&mut self, films: &[Vec<f64>; 2]) -> Result<(), InputError> {
         match &mut self.films {
-            Some(compliant) => compliant.lie_on(&mut self.deformation, films),
+            Some(compliant) => compliant.add_to(&mut self.deformation, films),
             None => Ok(()),
         }
     }

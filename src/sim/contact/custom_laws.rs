@@ -1,22 +1,22 @@
-//! What a law of the user's must hold before a contact is built on it.
+//! Requirements on custom laws of the lubricant, checked before a contact is built.
 //!
-//! A law from outside is asked at pressures up to the end of the table of the lubricant: a value that is no
-//! number, or that falls, would be met in the middle of a solve.
+//! A custom law is evaluated at pressures up to the end of the lubricant table. Values that are not finite or decrease
+//! would otherwise appear in the middle of a solve.
 
 use crate::error::InputError;
 use crate::lubricant::{DensityLaw, ViscosityLaw};
 
-/// Pressures that laws of a lubricant are asked at, up to the end of its table.
+/// Number of test pressures up to the end of the lubricant table.
 const PRESSURES: usize = 128;
-/// Distance of these pressures \[Pa\].
+/// Spacing of test pressures \[Pa\].
 const STEP: f64 = 1.6e8;
-/// Rise above the bulk temperature up to which they are asked, in steps of one \[K\].
+/// Largest tested rise above the bulk temperature, in steps of one \[K\].
 const WARMEST: u32 = 100;
-/// What rounding may take from a value that does not fall.
+/// Relative decrease accepted as rounding error.
 const ROUNDING: f64 = 1e-12;
 
-/// Checks that viscosities are positive and do not fall with pressure, nor rise with temperature from the one
-/// of the bulk, `bulk` \[K\], where the law knows temperature.
+/// Checks that viscosities are positive and do not decrease with pressure. If the law depends on temperature, they must
+/// not increase with temperature above the `bulk` temperature \[K\].
 pub(in crate::sim) fn require_viscosity(law: &dyn ViscosityLaw, bulk: f64) -> Result<(), InputError> {
     let field = "viscosity of the law";
     require(field, "finite, above 0 and not falling with pressure", |p, out| law.fill(p, out))?;
@@ -30,7 +30,7 @@ pub(in crate::sim) fn require_viscosity(law: &dyn ViscosityLaw, bulk: f64) -> Re
     Ok(())
 }
 
-/// Checks that densities are those of the fluid without pressure at first and do not fall.
+/// Checks that the density ratio is one at zero pressure and does not decrease.
 pub(in crate::sim) fn require_density(law: &dyn DensityLaw) -> Result<(), InputError> {
     let field = "density ratio of the law";
     let ambient = law.ratio(0.0);
@@ -39,7 +39,7 @@ pub(in crate::sim) fn require_density(law: &dyn DensityLaw) -> Result<(), InputE
     require(field, "finite and not falling with pressure", |p, out| law.fill(p, out))
 }
 
-/// Checks values at all pressures, those that `fill` gives.
+/// Checks the values of `fill` at all test pressures.
 fn require(
     field: &str,
     requirement: &'static str,

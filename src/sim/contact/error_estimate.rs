@@ -1,18 +1,17 @@
 //! Estimated errors of a solution.
 
-/// Estimated errors of a solution, those of films, pressure and friction over their value, those of the two
-/// ratios as they are.
+/// Estimated errors of a solution: relative for films, pressure and friction, absolute for the two ratios.
 ///
-/// The estimates of a smooth contact that picks its mesh come from three meshes, all others from one mesh of half
-/// the cells, on which the surfaces are the Fourier series of the given ones. All hold the error of the box, which
-/// no mesh shows, against a flooded inlet. How far they were found to hold is in `docs/errors.md`.
+/// For a smooth contact that chooses its mesh, the estimates come from three meshes. All others come from one mesh of
+/// half the cells, with the Fourier series of the given surfaces. All include the error of the box relative to a flooded
+/// inlet, which does not depend on the mesh. `docs/errors.md` compares them with actual errors.
 ///
 /// # Examples
 ///
 /// ```
 /// use stribeck::sim::{Scene, solve_contact};
 /// let mut scene = Scene::azam_2019(32);
-/// scene.solver.estimate = true; // solved on 16 x 16 cells too
+/// scene.solver.estimate = true; // second solve on 16 x 16 cells
 /// let solution = solve_contact(&scene)?;
 /// let estimate = solution.error_estimate.ok_or("one of both was not solved")?;
 /// assert!(estimate.film_mean_central >= 0.0 && estimate.contact_load_ratio <= 1.0);
@@ -22,22 +21,22 @@
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct ErrorEstimate {
-    /// Of the central film; 0 in a smooth dry contact, whose film is none.
+    /// Error of the central film; 0 in a smooth dry contact, which has no film.
     pub film_central: f64,
-    /// Of the minimum film; 0 in a smooth dry contact.
+    /// Error of the minimum film; 0 in a smooth dry contact.
     pub film_minimum: f64,
-    /// Of the maximum pressure. A pressure spike at the outlet does not converge on such meshes: where it is,
-    /// or may still become, the maximum, the estimate of a smooth contact says so and is large.
+    /// Error of the maximum pressure. A pressure spike at the outlet does not converge on such meshes. If the maximum
+    /// is at the spike or could move there, the estimate of a smooth contact is large.
     pub pressure_max: f64,
-    /// Of the mean film within two thirds of the Hertz radii.
+    /// Error of the mean film within two thirds of the Hertz radii.
     pub film_mean_central: f64,
-    /// Of the share of the load that solid contact carries, absolute.
+    /// Error of the load ratio, absolute.
     pub contact_load_ratio: f64,
-    /// Of the area of solid contact over the Hertz area, absolute.
+    /// Error of the area ratio, absolute.
     pub contact_area_ratio: f64,
-    /// Of the friction coefficient; 0 without sliding.
+    /// Error of the friction coefficient; 0 without sliding.
     pub friction_coefficient: f64,
-    /// The part of the errors of the central and the mean film that the edges of the box make, which is in them; the
-    /// rest is that of the mesh. 0 where the oil begins at the edge of the box.
+    /// Part of the errors of central and mean film that is caused by the edges of the box; the rest is that of the mesh.
+    /// 0 if the oil supply is at the edge of the box.
     pub film_by_box: f64,
 }

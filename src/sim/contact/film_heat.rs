@@ -1,11 +1,10 @@
-//! A contact and the temperature of its film as one converged state.
+//! Coupled solution of a contact and the temperature of its film.
 //!
-//! The film warms, its viscosity and density fall, pressures and films change, and with them the heat: a fixed
-//! point in the temperatures of the film at the nodes. Each turn solves the contact with the temperatures so
-//! far, at any pressure of a node with the viscosity that this temperature makes of it, finds the temperature
-//! of the film that this contact has, and mixes what follows into them ([`Mixing`]). It ends where no node's
-//! `ln eta` would change by more than [`TOLERANCE`], no density by more than [`DENSITY_TOLERANCE`], and the
-//! heat is balanced. A contact that does not converge is tried again halfway to the last one that did.
+//! Heating lowers viscosity and density of the film, which changes pressures, films and the heat: a fixed-point problem
+//! in the film temperatures at the nodes. Each iteration solves the contact at the present temperatures, computes the
+//! film temperature of this solution and mixes it in ([`Mixing`]). It converges when no node's `ln eta` changes by more
+//! than [`TOLERANCE`], no density by more than [`DENSITY_TOLERANCE`], and the heat is balanced. If the contact does not
+//! converge, the temperatures are moved halfway back to the last contact that did.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -24,28 +23,26 @@ use crate::sim::scene::Scene;
 use crate::thermal::{FilmFlow, FilmTemperature, FilmThermal, HeatBalance};
 use crate::tribochem::ThermalBody;
 
-/// Solves of the contact at most.
+/// Most solves of the contact.
 const MAX_SOLVES: u64 = 40;
-/// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat makes.
+/// Tolerance of `ln eta` at a node.
 const TOLERANCE: f64 = 5e-3;
-/// Largest relative change of the density of a film, by its thermal expansion.
+/// Relative tolerance of the film density, by thermal expansion.
 const DENSITY_TOLERANCE: f64 = 5e-4;
-/// Halvings of the way from the last contact that converged.
+/// Most halvings of the step from the last contact that converged.
 const MAX_RETREATS: usize = 4;
-/// Share of the way to the new temperatures that a turn takes, beyond what the turns before tell of it. The
-/// first turn takes all of the way.
+/// Step length towards the new temperatures, apart from Anderson mixing. The first iteration takes a full step.
 const STEP: f64 = 0.5;
 
-/// The report of a contact, with the numbers of its film's temperature and that of every node \[K\] where
-/// the film has one.
+/// Report of a contact, with the results of its film temperature and the temperature at every node \[K\], if modelled.
 pub(in crate::sim) type Solved = (SolveReport, Option<(ThermalNumbers, Vec<f64>)>);
 
-/// Whether films have a temperature of their own.
-pub(in crate::sim) fn is_asked(scene: &Scene) -> bool {
+/// Whether the film temperature is modelled.
+pub(in crate::sim) fn is_modelled(scene: &Scene) -> bool {
     scene.is_lubricated() && scene.lubricant.is_some_and(|lubricant| lubricant.thermal.is_some())
 }
 
-/// Checks that a film whose temperature is asked for has a viscosity `law` that knows temperature.
+/// Checks that a modelled film temperature has a viscosity `law` that depends on temperature.
 pub(in crate::sim) fn validate(scene: &Scene, law: Option<&dyn ViscosityLaw>) -> Result<(), InputError> {
     let asked = scene.lubricant.is_some_and(|lubricant| lubricant.thermal.is_some());
     match law {
@@ -61,7 +58,7 @@ pub(in crate::sim) fn validate(scene: &Scene, law: Option<&dyn ViscosityLaw>) ->
     }
 }
 
-/// What stays the same from solve to solve.
+/// Context that is fixed during the solves.
 pub(in crate::sim) struct SolveContext<'a> {
     /// Laws of friction, plasticity, growth and wear.
     pub(in crate::sim) laws: &'a Laws,
@@ -69,16 +66,16 @@ pub(in crate::sim) struct SolveContext<'a> {
     pub(in crate::sim) tribofilms: &'a [Vec<f64>; 2],
 }
 
-/// One solve of the contact as it stands.
+/// One solve of the contact.
 pub(in crate::sim) type SolveOnce<'a> =
     &'a mut dyn FnMut(&mut ContactModel, &mut ContactState) -> Result<SolveReport, SimError>;
 
-/// What is solved: the contact, its state and its shear stresses.
+/// The contact, its state and its shear stresses.
 type Contact<'a> = (&'a mut ContactModel, &'a mut ContactState, &'a mut FrictionFields);
 
-/// Solves the contact and, with the `heat` of a film, again with the viscosities and densities that belong to
-/// its temperature, until both agree; overwrites `friction` with the stresses of the film. Where they do not
-/// agree within [`MAX_SOLVES`] the status is [`Status::MaxIterations`].
+/// Solves the contact. With the `heat` of a film it is solved repeatedly, with viscosities and densities of the film
+/// temperature, until both agree. Overwrites `friction` with the stresses of the film. Without agreement within
+/// [`MAX_SOLVES`] the status is [`Status::MaxIterations`].
 pub(in crate::sim) fn solve(
     given: &SolveContext<'_>,
     heat: Option<&mut FilmIteration>,
@@ -98,35 +95,34 @@ pub(in crate::sim) fn solve(
     }
 }
 
-/// Temperature of the film of a contact, and what its solves start from.
+/// Temperature iteration of the film of a contact.
 ///
-/// A solve depends on the contact and on `start` alone: temperatures of surfaces are found anew from cool
-/// ones, so that a checkpoint holds `start` and nothing else. Only [`commit`](FilmIteration::commit) moves
-/// it.
+/// A solve depends only on the contact and on `start`: surface temperatures are computed anew from zero rise, so that
+/// a checkpoint only needs `start`. Only [`commit`](FilmIteration::commit) changes it.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct FilmIteration {
     /// Thermal properties of the fluid.
     properties: FilmThermal,
     /// Conductivity and diffusivity of ball and disc.
     bodies: [ThermalBody; 2],
-    /// Speeds of the surfaces that the plan is made for \[m/s\].
+    /// Surface speeds of the plan \[m/s\].
     speeds: [f64; 2],
-    /// What finds the temperature of a solved contact.
+    /// Computes the temperature of a solved contact.
     temperature: FilmTemperature,
-    /// Rises of the film above the bulk that a solve starts from \[K\]: those of its viscosity at all nodes,
-    /// then those of its density. Zeros at first.
+    /// Initial temperature rises of the film above the bulk \[K\]: for the viscosity at all nodes, then for the density.
+    /// Zero at first.
     start: Vec<f64>,
-    /// Those that the contact was solved with.
+    /// Rises used in the last contact solve.
     used: Vec<f64>,
-    /// Those that its heat makes, less those it was solved with.
+    /// Rises from the heat of that solve minus those used in it.
     residual: Vec<f64>,
 }
 
-/// The last contact of an iteration that converged, and the rises it was solved with.
+/// The last contact that converged, and its rises.
 type Good = (ContactState, Vec<f64>);
 
 impl FilmIteration {
-    /// Of a cool film; none where the scene does not ask for it.
+    /// An iteration from zero rise; `None` if the scene is isothermal.
     pub(in crate::sim) fn new(scene: &Scene, model: &ContactModel) -> Result<Option<Self>, InputError> {
         let properties = scene.lubricant.and_then(|lubricant| lubricant.thermal);
         let (Some(properties), true) = (properties, model.lubricant.is_some()) else { return Ok(None) };
@@ -143,7 +139,7 @@ impl FilmIteration {
         }))
     }
 
-    /// Plans anew where the surfaces move at other `speeds` \[m/s\] than before.
+    /// Makes a new plan if the `speeds` \[m/s\] have changed.
     pub(in crate::sim) fn move_at(&mut self, speeds: [f64; 2], grid: &Grid) -> Result<(), InputError> {
         if speeds.map(f64::to_bits) != self.speeds.map(f64::to_bits) {
             self.temperature = FilmTemperature::new(grid, self.properties, self.bodies, speeds)?;
@@ -152,24 +148,24 @@ impl FilmIteration {
         Ok(())
     }
 
-    /// Rises that the next solve starts from \[K\].
+    /// Initial rises of the next solve \[K\].
     #[cfg(feature = "serde")]
     pub(in crate::sim) fn start(&self) -> &[f64] {
         &self.start
     }
 
-    /// Takes over rises that the next solve starts from \[K\].
+    /// Sets the initial rises of the next solve \[K\].
     pub(in crate::sim) fn set_start(&mut self, rises: Vec<f64>) {
         self.start = rises;
     }
 
-    /// Takes them away: the next solve starts from a cool film, as that of a single contact does.
+    /// Takes the initial rises and resets them to zero, as for a single contact.
     pub(in crate::sim) fn take_start(&mut self) -> Vec<f64> {
         let cool = vec![0.0; self.start.len()];
         std::mem::replace(&mut self.start, cool)
     }
 
-    /// The next solve starts from the film of the last one.
+    /// Starts the next solve from the film temperature of the last one.
     pub(in crate::sim) fn commit(&mut self) {
         self.start.copy_from_slice(&self.used);
     }
@@ -179,9 +175,9 @@ impl FilmIteration {
         self.temperature.surface_rises()
     }
 
-    /// Turns until contact and heat agree, until [`MAX_SOLVES`], or until a contact does not converge even
-    /// close to the last one that did. The report counts the work of all solves, `friction` gets the stresses
-    /// of the film, and the fluid keeps the temperatures that the last contact was solved with.
+    /// Iterates until contact and heat agree, until [`MAX_SOLVES`], or until a contact does not converge even close to the
+    /// last one that did. The report sums the work of all solves; `friction` has the stresses of the film; the fluid keeps
+    /// the temperatures of the last solve.
     fn solve(
         &mut self,
         given: &SolveContext<'_>,
@@ -231,7 +227,7 @@ impl FilmIteration {
         }
     }
 
-    /// Gives the fluid of the contact the rises, or the temperature of the bulk where it is cool.
+    /// Sets the temperature rises of the fluid, or the bulk temperature at zero rise.
     fn warm(&self, model: &mut ContactModel, is_cool: bool) -> Result<(), InputError> {
         let Some(lubricant) = &mut model.lubricant else { return Ok(()) };
         let bulk = model.bulk_temperature;
@@ -243,7 +239,7 @@ impl FilmIteration {
         lubricant.set_film_temperatures(bulk, flow, mean, self.properties.expansivity)
     }
 
-    /// Temperatures of the contact as it is.
+    /// Computes the temperatures of the present contact.
     fn heat(
         &mut self,
         model: &ContactModel,
@@ -273,8 +269,8 @@ impl FilmIteration {
         })
     }
 
-    /// Overwrites the residual and returns the largest change of `ln eta` at a node, or of `ln rho` in terms
-    /// of its own tolerance.
+    /// Overwrites the residual. Returns the largest change of `ln eta` at a node, or of `ln rho` scaled to the same
+    /// tolerance.
     fn compare(&mut self, model: &ContactModel, state: &ContactState) -> f64 {
         let Some(lubricant) = &model.lubricant else { return 0.0 };
         let (law, bulk) = (Saturating::new(lubricant.viscosity()), model.bulk_temperature);
@@ -295,7 +291,7 @@ impl FilmIteration {
         largest
     }
 
-    /// Numbers and temperatures of the film as it is, after so many `solves` and with the last `change`.
+    /// Results and temperatures of the present film, after `solves` solves with the last `change`.
     fn numbers(
         &self,
         model: &ContactModel,

@@ -1,4 +1,4 @@
-//! The film formulas on a scene.
+//! Film formulas applied to a scene.
 
 use crate::analytic::{FilmConditions, FilmMap, FilmRegime, HertzPoint, LineFilmConditions};
 use crate::error::InputError;
@@ -9,7 +9,7 @@ use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::{HertzContact, LINE_LENGTH};
 use crate::sim::scene::operating_schedule::Conditions;
 
-/// What the film formulas make of a scene.
+/// Film of a scene by formula.
 ///
 /// # Examples
 ///
@@ -18,7 +18,7 @@ use crate::sim::scene::operating_schedule::Conditions;
 /// use stribeck::sim::Scene;
 /// let film = Scene::azam_2019(32).formula_film()?.ok_or("dry")?;
 /// assert_eq!(film.map.regime, FilmRegime::PiezoviscousElastic);
-/// assert!((film.central / film.map.central - 1.0).abs() < 0.15); // two formulas, one contact
+/// assert!((film.central / film.map.central - 1.0).abs() < 0.15); // two formulas for one contact
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,17 +26,17 @@ use crate::sim::scene::operating_schedule::Conditions;
 pub struct FormulaFilm {
     /// Moes' parameters.
     pub moes: Moes,
-    /// Central film of loaded steel contacts: Hamrock and Dowson of a point contact, Dowson and Toyoda of a line
-    /// contact; of an oil that does not thicken under pressure that of Moes, of an elliptic contact Hamrock and
-    /// Dowson's of soft bodies \[m\]. Solvers scale with it.
+    /// Central film of loaded steel contacts \[m\]: Hamrock and Dowson for a point contact, Dowson and Toyoda for a line
+    /// contact. For an oil without pressure-viscosity effect that of Moes, for an elliptic soft contact that of Hamrock
+    /// and Dowson. Solvers use it as a scale.
     pub central: f64,
-    /// Regime, and the film that holds in all regimes.
+    /// Regime, and the film by a formula for all regimes.
     pub map: FilmMap,
 }
 
 impl FormulaFilm {
-    /// Central film by the formula of the regime: [`central`](Self::central) of piezoviscous-elastic contacts, that
-    /// of all regimes else \[m\].
+    /// Central film by the formula of the regime \[m\]: [`central`](Self::central) for piezoviscous-elastic contacts,
+    /// otherwise the formula for all regimes.
     pub(in crate::sim) fn of_its_regime(&self) -> f64 {
         match self.map.regime {
             FilmRegime::PiezoviscousElastic => self.central,
@@ -46,8 +46,8 @@ impl FormulaFilm {
 }
 
 impl Scene {
-    /// What the film formulas make of the smooth, flooded contact at the start, with the slope of the
-    /// viscosity law; none for a dry contact.
+    /// Film formulas for the smooth, flooded contact at time zero, with the slope of the viscosity law; `None` for a
+    /// dry contact.
     ///
     /// ```
     /// let film = stribeck::sim::Scene::azam_2019(64).formula_film()?.expect("it has an oil");
@@ -65,8 +65,8 @@ impl Scene {
     }
 }
 
-/// The film formulas at `entrainment_speed` \[m/s\], by the pressure-viscosity coefficient `alpha` \[1/Pa\]
-/// or the slope of the law; none without a lubricant.
+/// Film formulas at `entrainment_speed` \[m/s\] with the pressure-viscosity coefficient `alpha` \[1/Pa\] or the
+/// slope of the law; `None` without a lubricant.
 pub(in crate::sim) fn formula_film(
     scene: &Scene,
     hertz: &HertzContact,
@@ -116,9 +116,9 @@ pub(in crate::sim) fn formula_film(
     }))
 }
 
-/// Semi-axis across the entrainment over that along it. Of a turned ellipse that of the contact whose radii
-/// are those of the sections along and across the entrainment, which is how Chittenden, Dowson, Dunn and
-/// Taylor (1985), Proceedings of the Royal Society A 397, 271-294, reduce oblique entrainment.
+/// Semi-axis across entrainment over that along it. A rotated ellipse is replaced by the contact whose radii are those
+/// of the sections along and across entrainment, as in Chittenden, Dowson, Dunn and Taylor (1985), Proceedings of
+/// the Royal Society A 397, 271-294.
 pub(in crate::sim) fn ellipticity(scene: &Scene, hertz: &HertzContact) -> Result<f64, InputError> {
     if hertz.angle == 0.0 {
         return Ok(hertz.half_width_y / hertz.half_width_x);
@@ -128,8 +128,8 @@ pub(in crate::sim) fn ellipticity(scene: &Scene, hertz: &HertzContact) -> Result
     Ok(sections.half_width_y / sections.half_width_x)
 }
 
-/// Central film by the formula of its regime, by the coefficient that is stated for it, else the slope of the law;
-/// zero without lubricant \[m\].
+/// Central film by the formula of its regime, with the stated pressure-viscosity coefficient or else the slope of the
+/// law; zero without lubricant \[m\].
 pub(in crate::sim) fn stated_film(
     scene: &Scene,
     hertz: &HertzContact,

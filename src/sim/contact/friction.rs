@@ -1,9 +1,9 @@
-//! Shear in a solved contact: boundary friction under the solid pressure, shear of the fluid under its own.
+//! Shear stresses of a solved contact: boundary friction under the solid pressure, shear of the fluid.
 //!
-//! At a node of solid contact the boundary law gives a coefficient of the solid pressure there; everywhere
-//! the fluid has the stress that its rheology gives at the rate `sliding/film` and the viscosity under its
-//! pressure, at most the limiting stress, times the film fraction `theta`: the filled share of a cavitated cell
-//! is sheared, the rest is gas. Both act on both surfaces, and their work `stress * sliding` is the heat.
+//! At a node in solid contact the boundary law gives the friction coefficient of the solid pressure. The shear stress of
+//! the fluid follows from its rheology at the rate `sliding/film` and the viscosity at its pressure, bounded by the
+//! limiting stress. It is multiplied by the film fraction `theta`, as gas carries no shear. Both stresses act on both
+//! surfaces; their power `stress * sliding` is the frictional heat.
 
 use crate::boundary_friction::{BoundaryFriction, ConstantFriction, FilmFriction};
 use crate::error::InputError;
@@ -14,30 +14,30 @@ use crate::sim::contact::model::ContactModel;
 use crate::sim::contact::numbers::FrictionNumbers;
 use crate::sim::scene::{FrictionSpec, Scene};
 
-/// Points of the mean over a Hertz contact.
+/// Quadrature points for the mean over a Hertz contact.
 const MEAN_POINTS: u32 = 32;
 
-/// The law of solid contact in a scene whose tribofilm has the largest thickness `full` \[m\].
+/// The boundary friction law of a scene whose tribofilm has the largest thickness `full` \[m\].
 pub(in crate::sim) fn boundary_law(
     spec: &FrictionSpec,
     full: Option<f64>,
 ) -> Result<Box<dyn BoundaryFriction>, InputError> {
     let bare = spec.boundary_coefficient;
     let Some(covered) = spec.film_coefficient else { return Ok(Box::new(ConstantFriction::new(bare)?)) };
-    // Without a film any thickness will do: none is reached.
+    // Without a film the thickness is irrelevant.
     let thickness = spec.covering_thickness.or(full).unwrap_or(1.0);
     Ok(Box::new(FilmFriction::new(bare, covered, thickness)?))
 }
 
-/// Friction fields of one solved contact. A node in contact that also carries fluid pressure has both shares,
-/// each by its own pressure.
+/// Friction fields of a solved contact. A node in contact with fluid pressure has both stresses, each from its own
+/// pressure.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct FrictionFields {
     /// Shear stress law of the fluid.
     rheology: Rheology,
-    /// Sliding speed, never negative \[m/s\].
+    /// Sliding speed, non-negative \[m/s\].
     sliding: f64,
-    /// Pressure that solid contact carries \[Pa\].
+    /// Solid pressure \[Pa\].
     pub(in crate::sim) solid: Vec<f64>,
     /// Friction coefficient of solid contact.
     boundary: Vec<f64>,
@@ -61,7 +61,7 @@ impl FrictionFields {
         })
     }
 
-    /// Overwrites the fields with those of `state`, whose bodies carry the tribofilms `films` \[m\].
+    /// Computes the fields of `state` between bodies with the tribofilms `films` \[m\].
     pub(in crate::sim) fn update(
         &mut self,
         contact: &ContactModel,
@@ -92,7 +92,7 @@ impl FrictionFields {
         Ok(())
     }
 
-    /// Shear stress on the surfaces at node `k` \[Pa\]; none without sliding.
+    /// Shear stress on the surfaces at node `k` \[Pa\]; zero without sliding.
     pub(in crate::sim) fn stress(&self, k: usize) -> f64 {
         if self.sliding > 0.0 { self.boundary[k] * self.solid[k] + self.shear[k] } else { 0.0 }
     }
@@ -102,29 +102,29 @@ impl FrictionFields {
         &self.rheology
     }
 
-    /// Heat of solid friction at every node \[W/m^2\].
+    /// Heat of boundary friction at every node \[W/m^2\].
     pub(in crate::sim) fn boundary_heat(&self) -> Vec<f64> {
         self.boundary.iter().zip(&self.solid).map(|(mu, solid)| mu * solid * self.sliding).collect()
     }
 
-    /// Heat of friction at node `k` \[W/m^2\].
+    /// Frictional heat at node `k` \[W/m^2\].
     pub(in crate::sim) fn heat(&self, k: usize) -> f64 {
         self.stress(k) * self.sliding
     }
 
-    /// Coefficient of friction of solid contact at the first node; zero without sliding.
+    /// Boundary friction coefficient at the first node; zero without sliding.
     pub(in crate::sim) fn first_boundary(&self) -> f64 {
         if self.sliding > 0.0 { self.boundary.first().copied().unwrap_or(0.0) } else { 0.0 }
     }
 
-    /// Friction force over load and its parts; zero without sliding.
+    /// Friction coefficient and its parts; zero without sliding.
     pub(in crate::sim) fn numbers(&self, contact: &ContactModel) -> Result<FrictionNumbers, InputError> {
         InputError::require_finite("solid_pressure", &self.solid)?;
         InputError::require_finite("viscous_shear", &self.shear)?;
         if self.sliding <= 0.0 {
             return Ok(FrictionNumbers::default());
         }
-        // About the coefficient of the first node: exact where the law is a constant.
+        // Summed as differences to the first node: exact for a constant law.
         let reference = self.boundary.first().copied().unwrap_or(0.0);
         let nodes = self.boundary.iter().zip(&self.solid);
         let beyond: f64 = nodes.map(|(coefficient, solid)| (coefficient - reference) * solid).sum();
@@ -136,9 +136,9 @@ impl FrictionFields {
     }
 }
 
-/// Mean shear stress \[Pa\] of a fluid that fills a Hertz contact of maximum pressure `p_max` \[Pa\], point
-/// or line, with a `film` \[m\] everywhere, at `sliding` \[m/s\]: the mean over the area of the stress under
-/// `p_max sqrt(1 - r^2/a^2)`. `viscosity` \[Pa s\] is that at a pressure \[Pa\].
+/// Mean shear stress \[Pa\] of a fluid film of thickness `film` \[m\] in a point or line Hertz contact of maximum
+/// pressure `p_max` \[Pa\] at `sliding` \[m/s\]: the area mean of the stress under `p_max sqrt(1 - r^2/a^2)`.
+/// `viscosity` maps pressure \[Pa\] to viscosity \[Pa s\].
 pub(in crate::sim) fn mean_fluid_stress(
     viscosity: &dyn Fn(f64) -> f64,
     rheology: &Rheology,
@@ -149,7 +149,7 @@ pub(in crate::sim) fn mean_fluid_stress(
     if film <= 0.0 || sliding <= 0.0 {
         return 0.0;
     }
-    // Rings or strips of one area.
+    // Rings or strips of equal area.
     let stress = |part: u32| {
         let share = (f64::from(part) + 0.5) / f64::from(MEAN_POINTS);
         let pressure = p_max * if is_line { 1.0 - share * share } else { share }.sqrt();

@@ -1,4 +1,4 @@
-//! Heat of a film that is taken for isothermal, estimated from its friction.
+//! Estimated heating of an isothermal film by its friction.
 
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
@@ -8,23 +8,23 @@ use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::Conditions;
 use crate::tribochem::estimate_rise_under_flux;
 
-/// Exponent of Roelands' viscosity over temperature, of mineral oils.
+/// Temperature exponent of Roelands' viscosity for mineral oils.
 const ROELANDS_S0: f64 = 1.1;
-/// Temperature at which that viscosity has no bound \[K\].
+/// Temperature at which that viscosity is infinite \[K\].
 const ROELANDS_ORIGIN: f64 = 138.0;
-/// Logarithm of the viscosity in Pa s that all oils have in common at the highest temperatures.
+/// Logarithm of the common viscosity of oils at high temperature in Pa s.
 const ROELANDS_LOG: f64 = -9.67;
-/// Halvings of the interval that holds the rise.
+/// Bisections of the interval of the rise.
 const HALVINGS: u32 = 30;
 
 /// Friction coefficients of an isothermal contact.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::sim) struct IsothermalFriction {
-    /// Of solid contact.
+    /// Boundary friction.
     pub(in crate::sim) boundary: f64,
-    /// Of shear of the fluid.
+    /// Fluid friction.
     pub(in crate::sim) fluid: f64,
-    /// Film that is sheared \[m\].
+    /// Thickness of the sheared film \[m\].
     pub(in crate::sim) film: f64,
 }
 
@@ -33,20 +33,20 @@ pub(in crate::sim) struct IsothermalFriction {
 pub(in crate::sim) struct Rises {
     /// Of the surfaces.
     pub(in crate::sim) surfaces: f64,
-    /// Of the film in the middle, mean across it.
+    /// Of the film in the center, mean across it.
     pub(in crate::sim) film: f64,
 }
 
-/// Rises that the friction of an isothermal contact would make, of a fluid whose viscosity is `law`; zero without
-/// sliding.
+/// Estimated rises by the friction of an isothermal contact, with the viscosity law `law`; zero without sliding.
 ///
-/// With the friction stresses of boundary and fluid, `t_b + t_f`, at the sliding speed `v`, surfaces warm by the
-/// flash of the flux `(t_b + t_f) v` and the film above them by `t_f v h/(12 k)`. The fluid loses stress as it
-/// warms: by the law of the scene, by Roelands' law with the exponent 1.1 where that has no temperature.
 ///
-/// Against solutions with the temperature of the film (0.006 to 0.02 Pa s, 2 to 8 m/s, slide-roll ratios 0.5 to 1.5)
-/// the film is within 17 % of their mean in the middle. At a slide-roll ratio of 0.1, where compression of the oil and
-/// the inlet heat too, it is up to 45 % low.
+/// With the boundary and fluid stresses `t_b` and `t_f` at the sliding speed `v`, the surfaces warm by the flash
+/// temperature of the flux `(t_b + t_f) v` and the film by a further `t_f v h/(12 k)`. The fluid stress decreases with
+/// temperature by the law of the scene, or by Roelands' law with exponent 1.1 if that does not depend on temperature.
+///
+/// Compared with solutions of the film temperature (0.006 to 0.02 Pa s, 2 to 8 m/s, slide-roll ratios 0.5 to 1.5) the
+/// film rise is within 17 % of the mean rise in the center. At a slide-roll ratio of 0.1, where compression and inlet
+/// shear matter too, it is up to 45 % low.
 pub(in crate::sim) fn film_rise(
     scene: &Scene,
     hertz: &HertzContact,
@@ -77,7 +77,7 @@ pub(in crate::sim) fn film_rise(
         let surfaces = estimate_rise_under_flux(bodies, speeds, flux, hertz.radius)?;
         Ok(Rises { surfaces, film: surfaces + fluid * sliding * friction.film / (12.0 * conductivity) })
     };
-    // The rise that makes as much heat as it needs: bisection, as heat falls with it.
+    // Heat decreases with the rise: bisect for the rise that this heat sustains.
     let (mut low, mut high) = (0.0, heated(0.0)?.film);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
@@ -86,7 +86,7 @@ pub(in crate::sim) fn film_rise(
     heated(high)
 }
 
-/// Viscosity \[Pa s\] of an oil that is warmer than the `bulk` temperature \[K\] by the `rise` \[K\].
+/// Viscosity \[Pa s\] of an oil at the `rise` \[K\] above the `bulk` temperature \[K\].
 fn warm_viscosity(law: &dyn ViscosityLaw, pressure: f64, bulk: f64, rise: f64) -> f64 {
     law.viscosity_at(pressure, bulk + rise).unwrap_or_else(|| {
         let above = (bulk - ROELANDS_ORIGIN).max(1.0);

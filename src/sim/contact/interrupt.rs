@@ -1,8 +1,7 @@
-//! Ending a solve from outside.
+//! Interruption of a solve by the caller.
 //!
-//! Solvers know nothing of it: every one of them needs a displacement in each iteration, and the deformation
-//! model refuses it when the solve shall end. What the solver makes of that error does not matter, as the
-//! flag tells.
+//! Solvers need no support for it: every solver computes a displacement in each iteration, and the deformation model
+//! returns an error when the solve is interrupted. A flag records this, whatever the solver does with the error.
 
 use std::fmt;
 use std::sync::Arc;
@@ -13,7 +12,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::sim::contact::boxed_clone::OwnedModel;
 
-/// Asks whether the solve in progress shall end.
+/// Callback that returns whether to interrupt the present solve.
 #[derive(Clone)]
 pub(in crate::sim) struct Interrupt(Arc<dyn Fn() -> bool + Send + Sync>);
 
@@ -24,49 +23,49 @@ impl fmt::Debug for Interrupt {
 }
 
 impl Interrupt {
-    /// Asks `asked`.
+    /// An interrupt with the callback `asked`.
     pub(in crate::sim) fn new(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Arc::new(asked))
     }
 }
 
-/// A deformation model that asks before each displacement, which every solver needs once an iteration, and
-/// refuses it where the solve shall end; without an interrupt the model as it is.
+/// A deformation model that polls the interrupt before each displacement, once per iteration of any solver, and then
+/// returns an error if interrupted. Without an interrupt it is the model itself.
 #[derive(Debug)]
 pub(in crate::sim) struct Interruptible<M: ?Sized = dyn OwnedModel> {
-    /// The model that is asked.
+    /// The wrapped model.
     model: Box<M>,
-    /// What may end the solve.
+    /// The interrupt, if any.
     interrupt: Option<Interrupt>,
-    /// Whether a solve was refused its displacement. Shared with the same model on other grids.
-    heeded: Arc<AtomicBool>,
+    /// Whether an interrupt was returned as an error. Shared with the same model on other grids.
+    was_interrupted: Arc<AtomicBool>,
 }
 
 impl Interruptible {
-    /// The `model` with an interrupt or without.
+    /// The `model` with an optional interrupt.
     pub(in crate::sim) fn new(model: Box<dyn OwnedModel>, interrupt: Option<Interrupt>) -> Self {
-        Self { model, interrupt, heeded: Arc::default() }
+        Self { model, interrupt, was_interrupted: Arc::default() }
     }
 
-    /// What may end the solve.
+    /// The interrupt, if any.
     pub(in crate::sim) fn interrupt(&self) -> Option<&Interrupt> {
         self.interrupt.as_ref()
     }
 
-    /// Whether a displacement was refused.
+    /// Whether the solve was interrupted.
     pub(in crate::sim) fn is_interrupted(&self) -> bool {
-        self.heeded.load(Ordering::Relaxed)
+        self.was_interrupted.load(Ordering::Relaxed)
     }
 
-    /// Forgets what was heeded before; the flag that an interrupt of the solve to come sets.
+    /// Resets and returns the flag, before a solve.
     pub(in crate::sim) fn begin(&self) -> Arc<AtomicBool> {
-        self.heeded.store(false, Ordering::Relaxed);
-        Arc::clone(&self.heeded)
+        self.was_interrupted.store(false, Ordering::Relaxed);
+        Arc::clone(&self.was_interrupted)
     }
 }
 
 impl Clone for Interruptible {
-    /// The copy listens to the same interrupt; what it heeds is its own.
+    /// The copy has the same interrupt and a flag of its own.
     fn clone(&self) -> Self {
         Self::new(self.model.clone(), self.interrupt.clone())
     }
@@ -79,7 +78,7 @@ impl<M: DeformationModel + ?Sized> DeformationModel for Interruptible<M> {
 
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         if self.interrupt.as_ref().is_some_and(|interrupt| (interrupt.0)()) {
-            self.heeded.store(true, Ordering::Relaxed);
+            self.was_interrupted.store(true, Ordering::Relaxed);
             return Err(InputError::Conflict {
                 field: "solve".to_owned(),
                 reason: "it was interrupted".to_owned(),
@@ -99,8 +98,8 @@ impl<M: DeformationModel + ?Sized> DeformationModel for Interruptible<M> {
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
         let model = self.model.on_grid(grid)?;
         let Some(interrupt) = &self.interrupt else { return Some(model) };
-        let (interrupt, heeded) = (Some(interrupt.clone()), Arc::clone(&self.heeded));
-        Some(Box::new(Interruptible::<dyn DeformationModel> { model, interrupt, heeded }))
+        let (interrupt, was_interrupted) = (Some(interrupt.clone()), Arc::clone(&self.was_interrupted));
+        Some(Box::new(Interruptible::<dyn DeformationModel> { model, interrupt, was_interrupted }))
     }
 
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {

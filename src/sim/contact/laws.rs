@@ -1,7 +1,7 @@
 //! The laws of a run.
 //!
-//! Made by the builder, from the scene or given by the user, and never changed: they have no memory, so that
-//! what a step does depends on its contact and its bodies alone.
+//! The builder makes them from the scene or from custom laws. They are stateless, so that a step depends only on its
+//! contact and bodies.
 
 use std::sync::Arc;
 
@@ -11,15 +11,15 @@ use crate::sim::contact::per_body::PerBody;
 use crate::tribochem::FilmGrowthLaw;
 use crate::wear::WearLaw;
 
-/// The laws of a run, shared by its copies; absent ones cost nothing.
+/// The laws of a run, shared by its clones.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct Laws {
-    /// The pressure that a node carries; without, bodies are elastic.
+    /// Pressure limit; `None` for elastic bodies.
     pub(in crate::sim) plasticity: Option<PerBody<dyn PlasticityModel>>,
-    /// Growth of the tribofilm, the same on both bodies; without, there is no film.
+    /// Growth of the tribofilm, the same on both bodies; `None` for no film.
     pub(in crate::sim) growth: Option<Arc<dyn FilmGrowthLaw>>,
-    /// Wear; without, nothing wears.
+    /// Wear; `None` for no wear.
     pub(in crate::sim) wear: Option<PerBody<dyn WearLaw>>,
-    /// Friction coefficient of solid contact.
+    /// Boundary friction coefficient.
     pub(in crate::sim) friction: Arc<dyn BoundaryFriction>,
 }

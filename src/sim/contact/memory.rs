@@ -13,8 +13,7 @@ pub(in crate::sim) fn bytes(lubricated: bool) -> usize {
     if lubricated { LUBRICATED_BYTES } else { DRY_BYTES }
 }
 
-/// Checks that the system grants the memory of a contact on `grid`: where it runs out later the process is
-/// ended.
+/// Checks that the system can allocate the memory of a contact on `grid`. Otherwise the process would be killed later.
 pub(in crate::sim) fn validate_memory(grid: &Grid, lubricated: bool) -> Result<(), InputError> {
     grid.require_memory(bytes(lubricated))
 }

@@ -2,27 +2,26 @@
 
 use crate::numerics::{add_scaled, dot};
 
-/// Steps that are remembered.
+/// Number of stored steps.
 const DEPTH: usize = 5;
-/// Share of a change of the residual that must be new for it to count.
+/// Independent fraction of a residual change required to keep it.
 const INDEPENDENT: f64 = 1e-3;
 
-/// Mixes the steps of `x <- g(x)`: the combination of the last ones that leaves the least residual
-/// `g(x) - x`.
+/// Mixes the steps of `x <- g(x)`: the combination of the last ones with the smallest residual `g(x) - x`.
+///
 ///
 /// Source: Walker, H. F. and Ni, P. (2011), Anderson acceleration for fixed-point iterations, SIAM Journal on
 /// Numerical Analysis 49, 1715-1735.
 #[derive(Debug, Default)]
 pub(in crate::sim) struct Mixing {
-    /// Point and residual of the last call.
+    /// Point and residual of the previous call.
     last: Option<(Vec<f64>, Vec<f64>)>,
-    /// Changes of point and residual, the residuals orthogonal to each other.
+    /// Changes of point and residual; the residuals are orthogonal to each other.
     changes: Vec<(Vec<f64>, Vec<f64>)>,
 }
 
 impl Mixing {
-    /// Moves `point` on, whose residual `g(x) - x` is `residual`; `share` of it is gone where nothing is known
-    /// of it.
+    /// Moves `point` along its residual `g(x) - x`, with the step `share` in directions without stored changes.
     pub(in crate::sim) fn advance(&mut self, point: &mut [f64], residual: &[f64], share: f64) {
         if let Some((last_point, last_residual)) = self.last.take() {
             let minus = |new: &[f64], old: &[f64]| new.iter().zip(old).map(|(n, o)| n - o).collect();
@@ -38,11 +37,11 @@ impl Mixing {
         add_scaled(point, share, &rest);
     }
 
-    /// Takes in the last change of point and residual and drops what is old or hardly new.
+    /// Stores the last change of point and residual, and drops old or dependent ones.
     fn remember(&mut self, moved: Vec<f64>, change: Vec<f64>) {
         let size = dot(&change, &change);
         let kept = std::mem::take(&mut self.changes);
-        // The newest stays as it is; the older ones are made orthogonal to it, in turn.
+        // The newest is kept; older ones are orthogonalized against it in turn.
         if size > 0.0 {
             self.changes.push((moved, change));
         }
@@ -65,7 +64,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_linear_iteration_ends_after_as_many_steps_as_it_has_modes() {
+    fn linear_iteration_converges_in_as_many_steps_as_modes() {
         // g(x) = A x + b with eigenvalues far outside the unit circle.
         let rates = [-3.0, 0.5, 1.8, 0.0];
         let fixed = [1.0, -2.0, 3.0, 4.0];

@@ -1,4 +1,4 @@
-//! One quasi-static contact: its parts, its solve with film temperature and flooded inlet, its numbers and its warnings.
+//! One quasi-static contact: its parts, its solve with film temperature and flooded inlet, its results and warnings.
 //!
 //! ```text
 //! setup, laws ──> model ──> film_heat ──> solution: numbers, warnings

@@ -1,8 +1,8 @@
-//! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
+//! The model of one quasi-static contact: parts that stay fixed while surfaces change, and its solution.
 //!
-//! The solver, the elastic bodies and the oil are made once; load, speeds and temperature change from step to
-//! step by [`ContactModel::put_under`]. [`ContactModel::solve`] changes nothing but the state that it is
-//! given, the flow of the box and the flows through the cells.
+//! Solver, elastic bodies and lubricant are built once. Load, speeds and temperature change from step to step by
+//! [`ContactModel::set_conditions`]. [`ContactModel::solve`] changes only the given state, the flow balance of the box
+//! and the flows through the cells.
 
 use std::sync::atomic::Ordering;
 
@@ -27,11 +27,10 @@ use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 use crate::sim::scene::{InletSpec, Motion, PlasticSpec, Scene};
 
-/// Residuals over the tolerance up to which a solver from outside has converged: films carry the rounding of
-/// another sum.
-const CONFIRMED: f64 = 2.0;
+/// Residual over tolerance up to which a custom solver counts as converged: its films are rounded differently.
+const VERIFIED: f64 = 2.0;
 
-/// Grid, elastic body, lubricant, load and solver of a scene.
+/// Grid, elastic bodies, lubricant, load and solver of a scene.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct ContactModel {
     /// Grid of all fields.
@@ -40,58 +39,57 @@ pub(in crate::sim) struct ContactModel {
     pub(in crate::sim) hertz: HertzContact,
     /// Gap of the smooth, undeformed bodies \[m\].
     pub(in crate::sim) form_gap: Vec<f64>,
-    /// Elastic bodies, asked once an iteration whether the solve is to end, and tribofilms.
+    /// Elastic bodies with interrupt, and compliant tribofilms.
     pub(in crate::sim) deformation: WithLocalCompliance<Interruptible>,
-    /// Tribofilms with elastic constants of their own; none where they give way as the bodies do.
+    /// Compliant tribofilms; `None` if they are as stiff as the bodies.
     pub(in crate::sim) films: Option<CompliantFilms>,
-    /// The oil at its bulk temperature; none for a dry contact.
+    /// The oil at its bulk temperature; `None` for a dry contact.
     pub(in crate::sim) lubricant: Option<Lubricant>,
-    /// The solver of the scene, or that of the user.
+    /// The solver.
     pub(in crate::sim) solver: Box<dyn OwnedSolver>,
-    /// Whether the solver is one of the user's, whose states are evaluated before they count.
-    pub(in crate::sim) confirms: bool,
+    /// Whether the solver is a custom one, whose solutions are verified.
+    pub(in crate::sim) verifies: bool,
     /// Tolerance and largest number of iterations.
     pub(in crate::sim) rule: StoppingRule,
-    /// Discretisation of entrainment.
+    /// Entrainment scheme.
     pub(in crate::sim) scheme: Scheme,
     /// Law of the pressure flow through a face.
     pub(in crate::sim) face_mobility: FaceMobility,
-    /// What becomes of the fluid where its pressure would fall below zero.
+    /// Cavitation condition.
     pub(in crate::sim) cavitation: Cavitation,
-    /// Film that the inlet gets \[m\]; none where it is flooded.
+    /// Film supplied at the inlet \[m\]; `None` for a flooded inlet.
     pub(in crate::sim) supplied_film: Option<f64>,
-    /// What sliding leaves of the viscosity for the flow by pressure; none where that is not modelled.
+    /// Shear-thinned viscosity of the pressure flow; `None` for a Newtonian flow.
     pub(in crate::sim) shear_thinning: Option<ShearThinning>,
-    /// Film at which solids touch \[m\].
+    /// Contact film \[m\].
     pub(in crate::sim) film_cutoff: f64,
-    /// What solid contact is.
+    /// Definition of solid contact.
     pub(in crate::sim) contact: ContactDefinition,
     /// Entrainment speed and slide-roll ratio.
     pub(in crate::sim) motion: Motion,
-    /// Load that was asked for; that of the Hertz contact is rounded \[N\].
+    /// Requested load; that of the Hertz contact is rounded \[N\].
     pub(in crate::sim) load: f64,
-    /// That of the lubricant \[K\].
+    /// Bulk temperature of the lubricant \[K\].
     pub(in crate::sim) bulk_temperature: f64,
-    /// Film formulas of the smooth contact; none without lubricant.
+    /// Film formulas for the smooth contact; `None` without lubricant.
     pub(in crate::sim) formulas: Option<FormulaFilm>,
-    /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without
-    /// lubricant \[m\].
+    /// Central film by formula with the stated pressure-viscosity coefficient; zero without lubricant \[m\].
     pub(in crate::sim) stated_film: f64,
-    /// Measures the flow of solutions, and evaluates those of solvers from outside; made when it is first used.
+    /// Evaluates flows of solutions, and states of custom solvers; built at its first use.
     pub(in crate::sim) evaluation: Option<Evaluation>,
-    /// Whether another solve follows: the solver keeps its buffers for it.
+    /// Whether the solver keeps its buffers for a further solve.
     pub(in crate::sim) reuses_buffers: bool,
-    /// Flow into the last solution and out of it.
+    /// Flow balance of the last solution.
     pub(in crate::sim) flow: Option<FlowBalance>,
-    /// Flows through the cells of the last solution; none where films have the bulk temperature.
+    /// Flows through the cells of the last solution; `None` for isothermal films.
     pub(in crate::sim) film_flows: Option<FilmFlows>,
-    /// Finds the fluid outside of the box; none where the oil begins at its edge.
+    /// Computes the far field; `None` for an oil supply at the edge of the box.
     pub(in crate::sim) inlet: Option<Inlet>,
-    /// The fluid outside of the box; none where the box holds the inlet.
+    /// The far field; `None` if the box contains the inlet.
     pub(in crate::sim) far_field: Option<FarField>,
 }
 
-/// What changes of a contact model from step to step.
+/// State of a contact model that depends on the conditions.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::sim) struct SavedConditions {
     /// Hertz contact under the load.
@@ -102,36 +100,36 @@ pub(in crate::sim) struct SavedConditions {
     formulas: Option<FormulaFilm>,
     /// Central film by formula \[m\].
     stated_film: f64,
-    /// Load that was asked for \[N\].
+    /// Requested load \[N\].
     load: f64,
-    /// What sliding leaves of the viscosity for the flow by pressure.
+    /// Shear-thinned viscosity of the pressure flow.
     shear_thinning: Option<ShearThinning>,
     /// Temperature of the lubricant \[K\].
     bulk_temperature: f64,
-    /// Flow of the last solution.
+    /// Flow balance of the last solution.
     flow: Option<FlowBalance>,
 }
 
-/// What a user puts in place of the scene's own parts.
+/// Custom components that replace parts of the scene.
 #[derive(Debug, Default)]
 pub(in crate::sim) struct CustomComponents {
-    /// Elastic bodies in place of the half-space.
+    /// Elastic bodies.
     pub(in crate::sim) deformation: Option<Box<dyn OwnedModel>>,
-    /// Viscosity law in place of that of the scene.
+    /// Viscosity law.
     pub(in crate::sim) viscosity: Option<Box<dyn ViscosityLaw>>,
-    /// Density law in place of that of the scene.
+    /// Density law.
     pub(in crate::sim) density: Option<Box<dyn DensityLaw>>,
-    /// Solver in place of that of the scene; what it calls converged is evaluated before it counts.
+    /// Solver, whose solutions are verified.
     pub(in crate::sim) solver: Option<Box<dyn OwnedSolver>>,
-    /// What may end a solve early.
+    /// Interrupt of solves.
     pub(in crate::sim) interrupt: Option<Interrupt>,
 }
 
 impl ContactModel {
-    /// The contact of `scene` at the start of its schedule, with `overrides` in place of its parts.
+    /// The contact of `scene` at the start of its schedule, with `custom` components in place of its parts.
     ///
     /// # Errors
-    /// A scene out of range; a grid that does not hold the contact; parts that do not fit the scene.
+    /// A scene out of range; a grid that does not contain the contact; components that do not fit the scene.
     pub(in crate::sim) fn new(scene: &Scene, custom: CustomComponents) -> Result<Self, SimError> {
         setup::validate(scene)?;
         let grid = scene.grid()?;
@@ -191,14 +189,14 @@ impl ContactModel {
             evaluation: None,
             reuses_buffers: true,
             flow: None,
-            film_flows: film_heat::is_asked(scene).then(FilmFlows::default),
+            film_flows: film_heat::is_modelled(scene).then(FilmFlows::default),
             grid,
             hertz,
             form_gap,
             deformation,
             films: CompliantFilms::of(scene, grid.len())?,
             lubricant,
-            confirms: custom.solver.is_some(),
+            verifies: custom.solver.is_some(),
             solver: custom.solver.map_or_else(|| setup::solver(scene), Ok)?,
             rule: setup::stopping_rule(scene)?,
             scheme: scene.scheme(),
@@ -221,7 +219,7 @@ impl ContactModel {
         if load.to_bits() == self.load.to_bits() { Ok(self.hertz) } else { scene.hertz_under(load) }
     }
 
-    /// Takes over the load and the speeds of `conditions`.
+    /// Sets load and speeds of `conditions`.
     pub(in crate::sim) fn set_conditions(
         &mut self,
         scene: &Scene,
@@ -244,7 +242,7 @@ impl ContactModel {
         Ok(())
     }
 
-    /// Takes the lubricant to a bulk `temperature` \[K\].
+    /// Sets the bulk `temperature` \[K\] of the lubricant.
     fn warm_to(&mut self, temperature: f64) {
         if temperature.to_bits() != self.bulk_temperature.to_bits() {
             self.lubricant = self.lubricant.take().map(|lubricant| lubricant.at_temperature(temperature));
@@ -252,7 +250,7 @@ impl ContactModel {
         }
     }
 
-    /// What [`ContactModel::put_under`] changes, and the flow of the box, which [`ContactModel::solve`] does.
+    /// State changed by [`ContactModel::set_conditions`], and the flow balance changed by [`ContactModel::solve`].
     pub(in crate::sim) fn saved(&self) -> SavedConditions {
         SavedConditions {
             hertz: self.hertz,
@@ -266,7 +264,7 @@ impl ContactModel {
         }
     }
 
-    /// Puts back what another contact has changed.
+    /// Restores the state saved by [`ContactModel::saved`].
     pub(in crate::sim) fn restore_conditions(&mut self, before: SavedConditions) {
         self.hertz = before.hertz;
         self.motion = before.motion;
@@ -283,8 +281,8 @@ impl ContactModel {
         self.formulas.map_or(0.0, |formulas| formulas.central)
     }
 
-    /// The contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`, what
-    /// solves it and what measures it.
+    /// The contact problem with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`; its solver
+    /// and its evaluation.
     fn problem<'a>(
         &'a mut self,
         gap: &'a [f64],
@@ -317,7 +315,7 @@ impl ContactModel {
         (problem, &mut self.solver, &mut self.evaluation)
     }
 
-    /// Refuses what [`ContactModel::solve`] refuses before the first iteration.
+    /// Returns the input errors of [`ContactModel::solve`] without solving.
     pub(in crate::sim) fn check(
         &mut self,
         gap: &[f64],
@@ -329,8 +327,7 @@ impl ContactModel {
         solver.check(&problem, state, &rule)
     }
 
-    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`,
-    /// from `state`.
+    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`, from `state`.
     pub(in crate::sim) fn solve(
         &mut self,
         gap: &[f64],
@@ -350,7 +347,7 @@ impl ContactModel {
         solved
     }
 
-    /// The same with ambient or other pressure at the edge of the box.
+    /// Solves with ambient or given pressure at the edge of the box.
     fn solve_box(
         &mut self,
         gap: &[f64],
@@ -358,23 +355,23 @@ impl ContactModel {
         (squeeze, edge): (Option<Squeeze<'_>>, Option<EdgePressure<'_>>),
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
-        let (heeded, rule, confirms) = (self.deformation.bodies().begin(), self.rule, self.confirms);
+        let (was_interrupted, rule, verifies) = (self.deformation.bodies().begin(), self.rule, self.verifies);
         let reuses_buffers = self.reuses_buffers;
         let mut film_flows = self.film_flows.take();
         let (mut problem, solver, evaluation) = self.problem(gap, limit, squeeze, edge);
         let mut solved = solver.solve(&mut problem, state, &rule);
         if !reuses_buffers {
-            // A copy has no buffers yet.
+            // A clone has no buffers.
             *solver = solver.clone();
         }
-        let is_measured = problem.lubricant.is_some() || confirms;
+        let is_measured = problem.lubricant.is_some() || verifies;
         let mut evaluation =
             is_measured.then(|| evaluation.get_or_insert_with(|| Evaluation::new(problem.grid())));
-        if let (Some(evaluation), true) = (&mut evaluation, confirms) {
-            solved = solved.and_then(|report| confirmed(report, evaluation, &mut problem, state, &rule));
+        if let (Some(evaluation), true) = (&mut evaluation, verifies) {
+            solved = solved.and_then(|report| verified(report, evaluation, &mut problem, state, &rule));
         }
-        let interrupted = heeded.load(Ordering::Relaxed);
-        // A solve that diverged may leave a state without numbers, which has no flow.
+        let interrupted = was_interrupted.load(Ordering::Relaxed);
+        // The state of a solve that diverged may be invalid, without a flow.
         let is_state = state.validate(&problem.grid()).is_ok();
         let measured = match (&solved, evaluation) {
             (Ok(_), Some(evaluation)) if !interrupted && is_state => match &mut film_flows {
@@ -393,9 +390,9 @@ impl ContactModel {
     }
 }
 
-/// The report of a solver from outside with the residuals that its state has. Films, plastic depths and
-/// masses of the state are then those that follow from its pressures.
-fn confirmed(
+/// The report of a custom solver with the evaluated residuals of its state. Films, plastic depths and masses of the
+/// state are overwritten with those of its pressures.
+fn verified(
     report: SolveReport,
     evaluation: &mut Evaluation,
     problem: &mut LubricatedContact<'_>,
@@ -406,14 +403,14 @@ fn confirmed(
         return Ok(report);
     }
     let residual = evaluation.evaluate(problem, state)?;
-    // No number is no solution either.
-    let holds = residual.max() <= CONFIRMED * rule.tolerance && residual.is_finite();
+    // NaN does not count as converged.
+    let holds = residual.max() <= VERIFIED * rule.tolerance && residual.is_finite();
     let status = if holds { Status::Converged } else { Status::Unverified };
     Ok(SolveReport { status, residual, ..report })
 }
 
-/// Checks that the grid and the hardness of `plastic`, if any, do for the smallest and the largest load of
-/// the schedule.
+/// Checks that the grid and the hardness of `plastic`, if any, suffice for the smallest and the largest load of the
+/// schedule.
 pub(in crate::sim) fn validate_loads(
     scene: &Scene,
     plastic: Option<PlasticSpec>,
@@ -434,8 +431,7 @@ pub(in crate::sim) fn validate_loads(
     Ok(())
 }
 
-/// The elastic model in place of that of the scene, or that of the scene; it must live on the grid and have a
-/// stiffness.
+/// The custom elastic model, or that of the scene. It must be on the grid and have a positive stiffness.
 fn checked_deformation(
     scene: &Scene,
     grid: Grid,
@@ -467,7 +463,7 @@ fn checked_deformation(
     Ok(deformation)
 }
 
-/// The elastic bodies of the scene. Displacements of a line contact count from the distance `reference` \[m\].
+/// The elastic half-space of the scene. Displacements of a line contact are relative to the distance `reference` \[m\].
 pub(in crate::sim) fn half_space(
     scene: &Scene,
     grid: Grid,

@@ -1,6 +1,6 @@
 //! Solid contact, wear and tribofilms in the two outermost rows and columns of the box.
 //!
-//! Beyond the box there is no contact, so that a contact which reaches its edge is cut. Three quantities are watched
+//! Contact outside of the box is not computed, so a contact that reaches its edge is cut. Three quantities are checked
 //! on each side:
 //!
 //! | quantity | measure | reaches the edge from |
@@ -9,8 +9,8 @@
 //! | wear | worn depth of a body that wears there | the contact film, and [`DEPTH_SHARE`] of the largest |
 //! | tribofilm | thickness of a film that grows there | the same, of laws that need solid contact |
 //!
-//! A depth below the contact film parts no solids. A body that moves along x wears and grows in all columns of its
-//! patch, so that its rows alone count; one that is met at random along and across has no edge.
+//! Depths below the contact film do not separate solids. A body that moves along x wears and grows in all columns of its
+//! patch, so only its rows are checked; one at random positions along both axes has no edge.
 
 use crate::grid::Grid;
 use crate::report::Status;
@@ -24,18 +24,18 @@ use crate::surface::PointRevisit;
 use crate::surface_state::SurfaceState;
 use crate::tribochem::FilmGrowthLaw;
 
-/// Rows and columns on each side that count as the edge, where there are at least [`FEW`] of them and in dry contacts;
-/// else one, as two would be a large part of the box.
+/// Number of outermost rows and columns that are checked if there are at least [`FEW`], and in dry contacts. Otherwise
+/// one, as two would be a large part of the box.
 const ROWS: usize = 2;
 /// See [`ROWS`].
 const FEW: usize = 32;
-/// Share of the load on solids at the edge: the box cuts off about as much as the rows at its edge carry.
+/// Fraction of the load on solids at the edge: about as much is cut off outside.
 const LOAD_SHARE: f64 = 1e-4;
-/// Share of the largest depth of a body.
+/// Fraction of the largest depth of a body.
 const DEPTH_SHARE: f64 = 0.01;
-/// Least distance of an edge from the middle in a wider box, in Hertz half-widths.
+/// Smallest distance of an edge from the center in a wider box, in Hertz half-widths.
 const ROOM: f64 = 1.5;
-/// Pressure and shear of a fluid, to tell laws of growth that need no solid contact \[Pa\].
+/// Pressure and shear of a fluid, to identify growth laws that need no solid contact \[Pa\].
 const FLUID_STRESS: f64 = 1e8;
 
 /// A row (constant y) or a column (constant x) of cells at one side of the box.
@@ -56,7 +56,7 @@ struct Edge {
 }
 
 impl Edge {
-    /// Folds the entries of `field` in the outermost rows of both sides of `axis`: their sums, or their largest.
+    /// Sum or maximum of the entries of `field` in the outermost rows of both sides of `axis`.
     fn of(grid: &Grid, axis: Axis, (sums, dry): (bool, bool), field: impl Fn(usize) -> f64) -> Self {
         let mut edge = Self { values: [0.0; 2], nodes: [0; 2] };
         let mut largest = [0.0; 2];
@@ -77,7 +77,7 @@ impl Edge {
         edge
     }
 
-    /// The error where a value is above `least`.
+    /// The error for a value above `least`.
     fn require(
         &self,
         quantity: EdgeQuantity,
@@ -96,8 +96,8 @@ impl Edge {
     }
 }
 
-/// Key, edges and cells of a box that is wider on the `sides` that were reached by half of what it is there, and
-/// ends at least [`ROOM`] half-widths from the middle.
+/// Key, edges and cells of a wider box: `sides` that were reached move out to 1.5 times their distance from the center,
+/// at least [`ROOM`] half-widths.
 fn wider(axis: Axis, sides: [bool; 2], grid: &Grid, hertz: &HertzContact) -> (&'static str, [f64; 2], usize) {
     let [half_x, half_y] = hertz.half_extents();
     let (field, first, step, count, half_width) = match axis {
@@ -114,13 +114,13 @@ fn wider(axis: Axis, sides: [bool; 2], grid: &Grid, hertz: &HertzContact) -> (&'
     (field, edges, count + (below + above) as usize)
 }
 
-/// Axes that have edges: a line contact has those along x.
+/// Axes with edges; only x for a line contact.
 fn axes(grid: &Grid) -> &'static [Axis] {
     if grid.ny() == 1 { &[Axis::X] } else { &[Axis::Y, Axis::X] }
 }
 
-/// Passes `solved` on, the contact of `model` in `state`, unless it converged with solid contact in the outermost
-/// rows and `scene` does not allow that.
+/// Returns `solved`, the contact of `model` in `state`, unless it converged with solid contact in the outermost rows and
+/// `scene` does not allow that.
 pub(in crate::sim) fn require_solids_inside(
     scene: &Scene,
     (model, state): (&ContactModel, &ContactState),
@@ -147,16 +147,16 @@ pub(in crate::sim) fn require_solids_inside(
 pub(in crate::sim) struct Change<'a> {
     /// 0 the ball, 1 the disc.
     pub(in crate::sim) body: usize,
-    /// Places of the patch that come under the contact.
+    /// Points of the patch that pass the contact.
     pub(in crate::sim) visits: PointRevisit,
     /// Worn depth after and before the step \[m\].
     pub(in crate::sim) wear: [&'a [f64]; 2],
-    /// Tribofilm after and before the step \[m\]; none of laws that need no solid contact.
+    /// Tribofilm after and before the step \[m\]; `None` for laws that need no solid contact.
     pub(in crate::sim) film: Option<[&'a [f64]; 2]>,
 }
 
 impl Change<'_> {
-    /// Refuses wear and film of more than the `contact_film` \[m\] where they rise in the outermost rows.
+    /// Rejects wear and film above the `contact_film` \[m\] that increase in the outermost rows.
     pub(in crate::sim) fn require_inside(
         &self,
         grid: &Grid,
@@ -189,7 +189,7 @@ impl Change<'_> {
     }
 }
 
-/// Whether a film of `law` grows at `temperature` \[K\] in solid contact alone.
+/// Whether a film of `law` grows at `temperature` \[K\] in solid contact only.
 pub(in crate::sim) fn needs_solids(law: &dyn FilmGrowthLaw, temperature: f64) -> bool {
     let fluid = SurfaceState::new(FLUID_STRESS, temperature).with_shear_stress(FLUID_STRESS);
     law.rate(&fluid.with_sliding_speed(1.0), 0.0) <= 0.0

@@ -9,7 +9,7 @@ use crate::error::InputError;
 pub(in crate::sim) struct PerBody<T: ?Sized> {
     /// The law of the ball.
     ball: Arc<T>,
-    /// None where it is that of the ball.
+    /// `None` if it is that of the ball.
     disc: Option<Arc<T>>,
 }
 
@@ -26,7 +26,7 @@ impl<T: ?Sized> PerBody<T> {
         Self { ball: law, disc: None }
     }
 
-    /// The laws that `make` makes of the `values` of ball and disc, one where these are equal.
+    /// The laws made from the `values` of ball and disc; a single one if these are equal.
     pub(in crate::sim) fn by(
         values: [f64; 2],
         make: impl Fn(f64) -> Result<Box<T>, InputError>,
@@ -36,7 +36,7 @@ impl<T: ?Sized> PerBody<T> {
         Ok(Self { ball: make(ball)?.into(), disc: if other { Some(make(disc)?.into()) } else { None } })
     }
 
-    /// The law of both bodies; none where they differ.
+    /// The law of both bodies; `None` if they differ.
     pub(in crate::sim) fn common(&self) -> Option<&T> {
         self.disc.is_none().then_some(self.ball.as_ref())
     }

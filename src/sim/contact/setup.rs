@@ -1,8 +1,7 @@
-//! From a scene to the pieces of a contact problem.
+//! Construction of the parts of a contact problem from a scene.
 //!
-//! One function a piece: it reads the values of the scene that decide, refuses those out of range by the name
-//! of their key, and makes the law, the solver or the heights. The order in which they are put together is
-//! that of `ContactModel::new`; a new law that scenes name is made here.
+//! One function per part: it reads the values of the scene, rejects values out of range with their key, and builds the
+//! law, the solver or the heights. `ContactModel::new` calls them in order. A new named law is built here.
 
 use crate::error::{InputError, format_number};
 use crate::grid::Grid;
@@ -15,17 +14,17 @@ use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRu
 use crate::sim::contact::boxed_clone::OwnedSolver;
 use crate::sim::contact::friction::boundary_law;
 pub(in crate::sim) use crate::sim::contact::memory::validate_memory;
-use crate::sim::contact::warnings::refuse_slips;
+use crate::sim::contact::warnings::reject_units;
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::{FileRoughness, LubricantSpec, Roughness, Scene, SolverKind, ViscositySpec};
 #[cfg(feature = "formats")]
 use crate::surface::rescale;
 
-/// Largest film at which solids touch, over the smallest radius of the form.
+/// Largest contact film over the smallest radius of the form.
 const LARGEST_CUTOFF: f64 = 1e-3;
 
-/// Checks every value of the scene but form, load, grid and roughness, used or not.
+/// Checks all values of the scene except form, load, grid and roughness, used or not.
 pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
     let speed = scene.motion.entrainment_speed;
     if scene.is_lubricated() && scene.schedule.entrainment_speed.is_none() {
@@ -94,15 +93,15 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
         validate_accuracy("solver.accuracy", accuracy)?;
     }
     stopping_rule(scene)?;
-    refuse_slips(scene)
+    reject_units(scene)
 }
 
-/// Checks a wanted relative error of the mesh.
+/// Checks a target relative error of the mesh.
 pub(in crate::sim) fn validate_accuracy(field: &str, accuracy: f64) -> Result<(), InputError> {
     InputError::require((1e-4..=0.1).contains(&accuracy), field, accuracy, "between 1e-4 and 0.1")
 }
 
-/// Checks that the box holds the point of first touch and resolves the contact.
+/// Checks that the box contains the point of first contact and resolves the contact.
 pub(in crate::sim) fn validate_box(
     grid: &Grid,
     hertz: &HertzContact,
@@ -140,7 +139,7 @@ pub(in crate::sim) fn validate_box(
     Ok(())
 }
 
-/// Checks that solids do not touch at a distance at which the bodies are no paraboloids any more.
+/// Checks that the contact film is small enough for the parabolic form.
 pub(in crate::sim) fn validate_film_cutoff(scene: &Scene) -> Result<(), InputError> {
     let (radius_x, radius_y) = scene.form.radii();
     let cutoff = scene.solver.film_cutoff;
@@ -152,7 +151,7 @@ pub(in crate::sim) fn validate_film_cutoff(scene: &Scene) -> Result<(), InputErr
     )
 }
 
-/// Checks that a uniform `hardness` \[Pa\] can carry the load without the outermost nodes.
+/// Checks that a uniform `hardness` \[Pa\] can carry the load on the inner nodes.
 pub(in crate::sim) fn validate_hardness(
     hardness: f64,
     grid: &Grid,
@@ -177,7 +176,7 @@ pub(in crate::sim) fn validate_hardness(
 pub(in crate::sim) struct RoughBody {
     /// Heights on the grid \[m\].
     pub(in crate::sim) heights: Vec<f64>,
-    /// Rq of the measurement that they are taken from \[m\]; none where they are those of the scene.
+    /// Rq of the measurement \[m\]; `None` for generated heights.
     pub(in crate::sim) measured_rq: Option<f64>,
 }
 
@@ -190,7 +189,7 @@ pub(in crate::sim) fn heights(roughness: &Roughness, grid: &Grid, body: &str) ->
     Ok(RoughBody { heights, measured_rq: None })
 }
 
-/// Heights of a surface that is not measured.
+/// Heights of a generated surface.
 fn generated(roughness: &Roughness, grid: &Grid) -> Result<Vec<f64>, InputError> {
     match roughness {
         Roughness::Random(surface) => surface.generate(grid),
@@ -200,10 +199,10 @@ fn generated(roughness: &Roughness, grid: &Grid) -> Result<Vec<f64>, InputError>
 }
 
 impl Roughness {
-    /// Heights on `grid` \[m\], positive out of the body: those of a body of a scene with this roughness.
+    /// Heights on `grid` \[m\], positive out of the body, as in a scene with this roughness.
     ///
     /// # Errors
-    /// A value that is out of range or does not fit the grid, a file that cannot be read.
+    /// A value that is out of range or does not fit the grid; a file that cannot be read.
     ///
     /// ```
     /// use stribeck::{Grid, sim::scene::Roughness};
@@ -220,7 +219,7 @@ impl Roughness {
     }
 }
 
-/// The error of a roughness with the body's key in front of the field.
+/// The error with the key of the body before the field.
 fn of_body(mut error: InputError, body: &str) -> InputError {
     if let InputError::Value { field, .. } | InputError::Conflict { field, .. } = &mut error {
         let key = field.strip_prefix("roughness.").or(field.strip_prefix("texture.")).unwrap_or(field);
@@ -284,7 +283,7 @@ pub(in crate::sim) fn viscosity(
     Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
 }
 
-/// Checked whether the scene uses it or not.
+/// The law, checked whether the scene uses it or not.
 fn viscosity_law(spec: &LubricantSpec, temperature: f64) -> Result<Box<dyn ViscosityLaw>, InputError> {
     Ok(match spec.viscosity {
         Some(ViscositySpec::Barus(constants)) => {
@@ -312,7 +311,7 @@ fn viscosity_law(spec: &LubricantSpec, temperature: f64) -> Result<Box<dyn Visco
     })
 }
 
-/// The law of Roelands by its index or its slope.
+/// Roelands' law by its index or its slope.
 fn roelands(spec: &LubricantSpec) -> Result<Roelands, InputError> {
     match spec.alpha {
         None => Roelands::new(spec.eta0, spec.roelands_z, spec.roelands_p0),

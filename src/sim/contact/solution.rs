@@ -1,4 +1,4 @@
-//! The solution of one contact and its numbers.
+//! The solution of a contact and its results.
 
 use crate::grid::Grid;
 use crate::report::SolveReport;
@@ -31,36 +31,35 @@ use crate::sim::scene::hertz::HertzContact;
 /// ```
 #[derive(Debug, Clone)]
 pub struct ContactSolution {
-    /// How the solve ended, residuals and work.
+    /// Status, residuals and work of the solve.
     pub report: SolveReport,
     /// The grid.
     pub grid: Grid,
     /// Hertz contact of the smooth bodies.
     pub hertz: HertzContact,
-    /// Moes' parameters; none for a dry contact.
+    /// Moes' parameters; `None` for a dry contact.
     pub moes: Option<Moes>,
-    /// Entrainment scheme; none for a dry contact, as are the next three.
+    /// Entrainment scheme; `None` for a dry contact, as the next three fields.
     pub scheme: Option<Scheme>,
-    /// Pressure flow through faces.
+    /// Law of the pressure flow through faces.
     pub face_mobility: Option<FaceMobility>,
-    /// What solid contact is.
+    /// Definition of solid contact.
     pub contact_definition: Option<ContactDefinition>,
-    /// What holds where the fluid cavitates.
+    /// Cavitation condition.
     pub cavitation: Option<Cavitation>,
-    /// What flows into the box and out of it; none for a dry contact.
+    /// Flow balance of the box; `None` for a dry contact.
     pub flow: Option<FlowBalance>,
     /// Fields and approach.
     pub state: ContactState,
-    /// Undeformed gap, form and roughness \[m\].
+    /// Undeformed gap, including form and roughness \[m\].
     pub gap: Vec<f64>,
-    /// Estimated errors where the scene asks for an accuracy or for an estimate; none also where the coarser
-    /// meshes were not solved.
+    /// Estimated errors if the scene has an accuracy or an estimate; `None` also if the coarser meshes did not converge.
     pub error_estimate: Option<ErrorEstimate>,
-    /// Stresses below the surface of the disc; none where the scene does not ask for them.
+    /// Stresses below the surface of the disc; `None` if not requested.
     pub stress: Option<StressNumbers>,
-    /// Heat of the film; none where the scene does not ask for it.
+    /// Film temperature; `None` for an isothermal film.
     pub thermal: Option<ThermalNumbers>,
-    /// Mean temperature across the film at every node \[K\]; empty where the scene does not ask for it.
+    /// Mean temperature across the film at every node \[K\]; empty for an isothermal film.
     pub film_temperature: Vec<f64>,
     /// Film thickness.
     pub film: FilmNumbers,
@@ -72,21 +71,20 @@ pub struct ContactSolution {
     pub friction: FrictionNumbers,
     /// Roughness on the track.
     pub roughness: RoughnessNumbers,
-    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`](crate::sim::Scene::warnings), of
-    /// surfaces from files, and of the solution.
+    /// Implausible values of the scene ([`Scene::warnings`](crate::sim::Scene::warnings)), of surfaces from files, and of
+    /// the solution.
     pub warnings: Vec<Warning>,
-    /// Coefficient of friction of solid contact; zero without sliding.
+    /// Boundary friction coefficient; zero without sliding.
     pub(in crate::sim) boundary_friction: f64,
     /// Shear stress of the fluid \[Pa\].
     pub(in crate::sim) shear: Vec<f64>,
-    /// Relative error of the central film by the box.
+    /// Relative box error of the central film.
     pub(in crate::sim) box_error: f64,
 }
 
 impl ContactSolution {
-    /// Fields by name, one value a node: `pressure` and `fluid_pressure` \[Pa\], `film` \[m\], `theta` (the
-    /// share of the gap that is filled), `gap` and `plastic_depth` \[m\], with [`thermal`](Self::thermal)
-    /// numbers `film_temperature` \[K\] too.
+    /// Fields by name, one value per node: `pressure` and `fluid_pressure` \[Pa\], `film` \[m\], `theta` (film fraction),
+    /// `gap` and `plastic_depth` \[m\]; with [`thermal`](Self::thermal) also `film_temperature` \[K\].
     pub fn fields(&self) -> Vec<(&'static str, &[f64])> {
         let state = &self.state;
         let mut fields: Vec<(&'static str, &[f64])> = vec![
@@ -104,13 +102,13 @@ impl ContactSolution {
     }
 }
 
-/// Whether a state is a state: one of a solve that diverged may be none.
+/// Whether a state is valid; that of a solve that diverged may not be.
 pub(in crate::sim) fn is_known(state: &ContactState) -> bool {
     state.pressure.iter().chain(&state.film).all(|value| value.is_finite())
 }
 
 impl ContactModel {
-    /// The solution that a solve with this model has led to; without `friction` it diverged.
+    /// The solution of a solve with this model; without `friction` it diverged.
     pub(in crate::sim) fn solution(
         &self,
         (report, heat): Solved,

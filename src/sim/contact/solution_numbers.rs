@@ -1,16 +1,15 @@
-//! The numbers of a solution under the names that JSON, terminal and Python share.
+//! Results of a solution, with the same names in JSON, terminal and Python.
 //!
-//! Two outlets of one [`ContactSolution`]: `Display`, the report for people in units at hand (nm, GPa), and,
-//! with the feature `serde`, `Serialize`, the object in SI units that the command prints and Python returns.
-//! A new number is a field of [`ContactSolution`], a line here and one in the table of `docs/output.md`,
-//! which the tests compare.
+//! [`ContactSolution`] has two outputs: `Display` is a report in handy units (nm, GPa); `Serialize` (feature `serde`) is
+//! the object in SI units that the command prints and Python returns. A new result needs a field of
+//! [`ContactSolution`], a line here and one in the table of `docs/output.md`, which the tests compare.
 
 use std::fmt;
 
 use crate::sim::contact::solution::ContactSolution;
 
 impl fmt::Display for ContactSolution {
-    /// A short report, one line a subject.
+    /// A short report, one line per topic.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { report, grid, hertz, .. } = self;
         let (residuals, work) = (report.residual, report.work);
@@ -86,7 +85,7 @@ impl ContactSolution {
         }
     }
 
-    /// What flows through the box, a metre of contact where it is a line.
+    /// Flow through the box, per metre for a line contact.
     fn write_flow(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(flow) = self.flow else { return writeln!(f, "flow       none: dry") };
         let unit = if self.grid.ny() == 1 { "m^2/s" } else { "m^3/s" };
@@ -94,7 +93,7 @@ impl ContactSolution {
         writeln!(f, "flow       in {inflow:.4e}, out {outflow:.4e} {unit}, imbalance {imbalance:.1e}")
     }
 
-    /// Estimated errors of the mesh, the relative ones in per cent.
+    /// Estimated errors of the mesh, relative ones in per cent.
     fn write_errors(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(estimate) = self.error_estimate else { return write!(f, "errors     not estimated") };
         write!(
@@ -111,7 +110,7 @@ impl ContactSolution {
         )
     }
 
-    /// Temperatures of the film and the surfaces; nothing where heat is not modelled.
+    /// Temperatures of film and surfaces, if modelled.
     fn write_heat(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(heat) = &self.thermal else { return Ok(()) };
         let (ball, disc) = (heat.surface_rise_ball, heat.surface_rise_disc);
@@ -122,7 +121,7 @@ impl ContactSolution {
         )
     }
 
-    /// Largest stresses below the surface and of the layer; nothing where they are not asked for.
+    /// Largest stresses below the surface and of the layer, if requested.
     fn write_stress(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(stress) = self.stress else { return Ok(()) };
         let (mises, shear) = (stress.von_mises, stress.orthogonal_shear);
@@ -148,7 +147,7 @@ impl ContactSolution {
 
 #[cfg(feature = "serde")]
 mod named {
-    //! Names of the numbers, all in SI units; `docs/output.md` says what they are.
+    //! Names of the results in SI units; `docs/output.md` defines them.
 
     use serde::{Serialize, Serializer};
 
@@ -163,7 +162,7 @@ mod named {
     use crate::sim::scene::hertz::HertzContact;
     use crate::{Grid, SolveReport};
 
-    /// The object that stands for a solution: its numbers, `null` where there is nothing to tell.
+    /// Serialized form of a solution: its results, `null` if unknown.
     #[derive(Serialize)]
     struct Numbers<'a> {
         #[serde(flatten)]
@@ -200,7 +199,7 @@ mod named {
         ny: usize,
         /// Length of a cell \[m\].
         dx: f64,
-        /// Width of a cell \[m\]; a metre of a line.
+        /// Width of a cell \[m\]; one metre for a line contact.
         dy: f64,
     }
 
@@ -211,7 +210,7 @@ mod named {
     }
 
     impl Serialize for ContactSolution {
-        /// The numbers of the solution in SI units under their names in `docs/output.md`, without the fields.
+        /// The results of the solution in SI units with the names in `docs/output.md`, without fields.
         fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
             let numbers = Numbers {
                 report: &self.report,

@@ -1,9 +1,9 @@
-//! Many histories side by side: sweeps of a parameter, seeds of the roughness.
+//! Ensembles of histories: parameter sweeps, seeds of the roughness.
 //!
-//! [`run`] keeps the records; `run_in` (features `serde` and `npz`) also writes a folder for each member and
-//! goes on where it was stopped. Members are independent: each is computed as if it were alone, and one that
-//! fails leaves its error in its own outcome. With the feature `mpi`, `run_over_ranks` does so over the
-//! processes of an MPI program. Outcomes come in the order of the members, whatever the number of threads.
+//! [`run`] returns the records. `run_in` (features `serde` and `npz`) also writes a folder for each member and
+//! continues an interrupted run. Members are independent: each history equals that of a single run, and an
+//! error stops its own member only. With the feature `mpi`, `run_over_ranks` distributes members over the
+//! processes of an MPI program. Outcomes have the order of the members, for any number of threads.
 
 #[cfg(feature = "mpi")]
 mod over_ranks;
@@ -46,7 +46,7 @@ pub use over_ranks::run_over_ranks;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Member {
-    /// Name, and of a member that is written the name of its folder.
+    /// Name of the member and of its folder.
     pub name: String,
     /// The scene.
     pub scene: Scene,
@@ -57,7 +57,7 @@ pub struct Member {
 }
 
 impl Member {
-    /// The history of `scene` in `steps` steps of `time_step` \[s\]; `name` is that of its folder.
+    /// The history of `scene` in `steps` steps of `time_step` \[s\], in the folder `name`.
     pub fn new(name: impl Into<String>, scene: Scene, steps: u64, time_step: f64) -> Self {
         Self { name: name.into(), scene, steps, time_step }
     }
@@ -70,13 +70,13 @@ impl Member {
     }
 }
 
-/// What became of a member.
+/// Result of a member.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Outcome {
     /// The committed steps.
     pub records: Vec<StepRecord>,
-    /// Why it ended before its last step.
+    /// Error that stopped it before its last step.
     pub failure: Option<SimError>,
 }
 
@@ -95,7 +95,7 @@ pub struct Outcome {
 /// let outcomes = ensemble::run(&members, 2);
 /// let wear = |k: usize| outcomes[k].records[0].wear.disc_mean;
 /// assert!(wear(0) < wear(2));
-/// // The second cannot be built; the others do not mind.
+/// // The second cannot be built; the others are not affected.
 /// let failure = outcomes[1].failure.as_ref().map(ToString::to_string).unwrap_or_default();
 /// assert!(failure.starts_with("load.hertz_pressure = -1"));
 /// ```
@@ -113,11 +113,11 @@ pub fn run(members: &[Member], threads: usize) -> Vec<Outcome> {
 }
 
 /// Runs `members` on `threads` threads and writes each into a folder of its name in `folder`, with a
-/// checkpoint after each `every` steps (see [`RunFolder`]). Called again after it was stopped, it goes on
-/// from the checkpoints; finished members are read, not computed.
+/// checkpoint after each `every` steps (see [`RunFolder`]). A second call continues from the checkpoints of
+/// an interrupted one; finished members are read, not computed again.
 ///
 /// # Errors
-/// A name that is taken, empty or no name of a folder. Everything else is the failure of a member.
+/// A name that is taken, empty or not valid for a folder. Other errors are in the outcome of the member.
 #[cfg(all(feature = "serde", feature = "npz"))]
 pub fn run_in(
     folder: impl AsRef<Path>,
@@ -159,14 +159,14 @@ fn run_member(folder: &Path, member: &Member, every: u64) -> Outcome {
                 records.push(record.clone());
                 files.after_step(sim, record)
             });
-        // What there is of a history that failed is written all the same.
+        // The files of a history that failed are finished too.
         files.finish(&sim).and(outcome)
     };
     let failure = run().err();
     Outcome { records, failure }
 }
 
-/// Maps `members` in order; threads take the next one as they come free.
+/// Maps `members` in order; each free thread takes the next one.
 fn share<T: Send>(members: &[Member], threads: usize, work: impl Fn(&Member) -> T + Sync) -> Vec<T> {
     let slots: Vec<Mutex<Option<T>>> = members.iter().map(|_| Mutex::new(None)).collect();
     let next = AtomicUsize::new(0);

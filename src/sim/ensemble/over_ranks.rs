@@ -9,10 +9,10 @@ use crate::error::InputError;
 use crate::sim::error::SimError;
 use crate::sim::history::record::StepRecord;
 
-/// [`run_in`](super::run_in) over all ranks of `world`, each on `threads` threads: rank `r` of `n` takes the
-/// members `r`, `r + n`, ... Every rank gets all outcomes in the order of the members, the same ones whatever
-/// their number; a failure is [`SimError::Remote`] wherever it happened. Folders need not be shared by the
-/// ranks, but then a resumed run needs as many.
+/// [`run_in`](super::run_in) over all ranks of `world`, each on `threads` threads. Rank `r` of `n` runs the
+/// members `r`, `r + n`, ... All ranks return the outcomes of all members in order, the same for any number
+/// of ranks; errors are [`SimError::Remote`] on all ranks. Ranks need not share folders, but without shared
+/// folders a resumed run needs the same number of ranks.
 ///
 /// Every rank calls this with the same members. A rank that panics ends the program.
 ///

@@ -61,20 +61,20 @@ pub struct BoxTooSmall {
     pub quantity: EdgeQuantity,
     /// Share of the load on solids in the two rows, worn depth or thickness there \[m\].
     pub value: f64,
-    /// Where it is largest \[m\].
+    /// Position of its maximum \[m\].
     pub x: f64,
-    /// Where it is largest \[m\].
+    /// Position of its maximum \[m\].
     pub y: f64,
     /// Key of the box that is too small.
     pub field: &'static str,
     /// Edges of a wider box \[m\].
     pub edges: [f64; 2],
-    /// Cells of the same size between them.
+    /// Number of cells of the same size between them.
     pub cells: usize,
 }
 
 impl BoxTooSmall {
-    /// Quantity, value, place and remedy.
+    /// Message with quantity, value, position and remedy.
     fn message(&self) -> String {
         let Self { quantity, value, x, y, field, edges: [low, high], cells } = self;
         let value = match quantity {

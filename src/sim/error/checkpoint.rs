@@ -1,10 +1,10 @@
-//! Checkpoints that cannot be written or used.
+//! Errors of checkpoints.
 
 use std::path::PathBuf;
 
 use thiserror::Error;
 
-/// Why a checkpoint could not be written or used.
+/// Error of writing or restoring a checkpoint.
 ///
 /// # Examples
 ///
@@ -27,16 +27,16 @@ pub enum CheckpointError {
     Io {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: std::io::Error,
     },
-    /// The file is no checkpoint.
+    /// The file is not a checkpoint.
     #[error("{} is no checkpoint", path.display())]
     Foreign {
         /// The file.
         path: PathBuf,
     },
-    /// A later version of the crate has written the file.
+    /// The file was written by a later version of the crate.
     #[error("{} has format {found}, this version reads formats up to {known}", path.display())]
     Newer {
         /// The file.
@@ -46,12 +46,12 @@ pub enum CheckpointError {
         /// The latest format that can be read.
         known: u32,
     },
-    /// The file is cut short or its content has changed.
+    /// The file is truncated or its content has changed.
     #[error("{} is damaged: {reason}", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
-        /// How that shows.
+        /// The damage found.
         reason: String,
     },
     /// The file belongs to another simulation.
@@ -62,7 +62,7 @@ pub enum CheckpointError {
     Other {
         /// The file.
         path: PathBuf,
-        /// What differs.
+        /// The part that differs.
         part: String,
     },
 }

@@ -17,7 +17,7 @@ use crate::report::NotConverged;
 use crate::reynolds::ReynoldsError;
 use crate::surface::SurfaceError;
 
-/// Why a scene could not be built or a step not be taken. The state of a simulation is unchanged by an error.
+/// Error of building a scene or taking a step. It leaves the state of a simulation unchanged.
 ///
 /// # Examples
 ///
@@ -35,13 +35,13 @@ pub enum SimError {
     /// A value out of range, a shape that does not fit, or a contradiction.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// A solver could not be used.
+    /// A solver does not accept the problem.
     #[error(transparent)]
     Reynolds(#[from] ReynoldsError),
     /// A surface could not be read or prepared.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
-    /// A contact had to be solved and was not.
+    /// A contact did not converge.
     #[error("the contact of step {step} was not solved at {attempts} positions of the roughness: {source}")]
     NotConverged {
         /// Number of the step, from 0.
@@ -54,7 +54,7 @@ pub enum SimError {
     /// Solids, wear or a tribofilm reach the edge of the box.
     #[error(transparent)]
     BoxTooSmall(#[from] BoxTooSmall),
-    /// The solve was ended from outside ([`SimBuilder::interrupt`](crate::sim::SimBuilder::interrupt)).
+    /// The solve was interrupted ([`SimBuilder::interrupt`](crate::sim::SimBuilder::interrupt)).
     #[error("the solve was interrupted")]
     Interrupted,
     /// A checkpoint could not be used.
@@ -67,13 +67,13 @@ pub enum SimError {
     Remote {
         /// The rank.
         rank: i32,
-        /// What the error says.
+        /// Message of the error.
         reason: String,
     },
-    /// A scene file does not fit.
+    /// A scene file that is not valid.
     #[error("{reason}")]
     Scene {
-        /// What the parser says, with key and line.
+        /// Message of the parser, with key and line.
         reason: String,
     },
     /// A file could not be read or written.
@@ -81,7 +81,7 @@ pub enum SimError {
     Io {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: std::io::Error,
     },
 }

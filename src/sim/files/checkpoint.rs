@@ -1,4 +1,4 @@
-//! Checkpoints: a simulation in a file, to the last bit.
+//! Checkpoints: the complete state of a simulation in one file, exact to the last bit.
 //!
 //! | bytes | content |
 //! |---|---|
@@ -19,7 +19,7 @@ use crate::regular_file;
 use crate::reynolds::ContactState;
 use crate::sim::contact::warnings::Warning;
 use crate::sim::error::CheckpointError;
-use crate::sim::files::whole_file;
+use crate::sim::files::atomic_file;
 use crate::sim::history::body::Body;
 use crate::sim::history::identity::{CONDITIONS, Identity};
 use crate::sim::history::simulation::MixedLubricationSim;
@@ -28,19 +28,19 @@ use crate::sim::scene::GridSpec;
 use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::WearDepth;
 
-/// What errors call a checkpoint that is no file.
+/// Name of a checkpoint in memory, for error messages.
 const IN_MEMORY: &str = "checkpoint in memory";
-/// What a file starts with.
+/// First bytes of a checkpoint file.
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
-/// Format that this version writes and reads.
+/// Format version that this version of the crate writes and reads.
 const FORMAT: u32 = 8;
 /// Bytes before the content.
 const HEADER: usize = 36;
 
-/// What is kept of a body.
+/// State of a body.
 #[derive(Serialize, Deserialize)]
 struct BodyPart<'a> {
-    /// Heights at the start, which must be those of the simulation that resumes.
+    /// Initial heights; a simulation that resumes must have the same ones.
     initial: Cow<'a, [f64]>,
     /// Heights at the time of the checkpoint.
     surface: Cow<'a, [f64]>,
@@ -48,46 +48,46 @@ struct BodyPart<'a> {
     wear: Cow<'a, [f64]>,
     /// Plastic depth.
     plastic: Cow<'a, [f64]>,
-    /// The tribofilm, where there is one.
+    /// The tribofilm, if there is one.
     film: Option<FilmPart<'a>>,
     /// Worn volume.
     worn_volume: f64,
 }
 
-/// What is kept of a tribofilm.
+/// State of a tribofilm.
 #[derive(Serialize, Deserialize)]
 struct FilmPart<'a> {
-    /// States of its law, node by node.
+    /// State variables of the growth law, node by node.
     states: Cow<'a, [f64]>,
-    /// Thicknesses that nodes have gained and lost in sum \[m\].
+    /// Total thickness that the nodes have gained and lost \[m\].
     changes: [f64; 2],
 }
 
-/// Everything that later steps depend on, and what tells one run from another.
+/// All state that later steps depend on, and the identity of the run.
 #[derive(Serialize, Deserialize)]
 struct Content<'a> {
-    /// What the simulation was built from.
+    /// Scene and parts that the simulation was built from.
     identity: Identity,
     /// Ball and disc.
     bodies: [BodyPart<'a>; 2],
-    /// Solution of the last step, which the next one starts from where there is squeeze.
+    /// Solution of the last step: with squeeze, the next step starts from it.
     state: Cow<'a, ContactState>,
     /// Masses of the last two contacts.
     squeeze_memory: Cow<'a, SqueezeMemory>,
-    /// Time that has passed \[s\].
+    /// Simulated time \[s\].
     time: f64,
-    /// Steps that were committed.
+    /// Number of committed steps.
     step: u64,
-    /// Positions of the roughness that were tried.
+    /// Number of roughness positions tried so far.
     draws: u64,
-    /// Rises that the film of the next contact starts from \[K\], where it has a temperature of its own.
+    /// Initial temperature rise of the film in the next contact \[K\]; `None` for an isothermal film.
     film_rises: Option<Cow<'a, [f64]>>,
-    /// What was found unlikely so far.
+    /// Warnings so far.
     warnings: Cow<'a, [Warning]>,
 }
 
 impl<'a> BodyPart<'a> {
-    /// What is kept of a body.
+    /// The state of `body`.
     fn of(body: &'a Body) -> Self {
         Self {
             initial: body.initial().into(),
@@ -102,7 +102,7 @@ impl<'a> BodyPart<'a> {
         }
     }
 
-    /// The body again, with the film of `law`; refuses fields that have not `n` finite values.
+    /// Rebuilds the body, with a film that grows by `law`. Rejects fields that do not have `n` finite values.
     fn into_body(self, law: Option<&dyn FilmGrowthLaw>, n: usize) -> Result<Body, InputError> {
         let mut body = Body::new(self.initial.into_owned(), None);
         body.wear = WearDepth::from_values(self.wear.into_owned())?;
@@ -137,11 +137,11 @@ impl<'a> BodyPart<'a> {
 }
 
 impl MixedLubricationSim {
-    /// Writes all that later steps depend on into one file: a simulation of the same scene and laws that
-    /// [restores](Self::restore) it goes on as this one, equal to the last bit on the same kind of processor.
-    /// The file is replaced as a whole: a process killed meanwhile leaves the old one.
+    /// Writes the state to a file. A simulation of the same scene and laws that [restores](Self::restore) it
+    /// continues as this one does, equal to the last bit on the same kind of processor. The file is replaced
+    /// atomically: if the process is killed meanwhile, the old file remains.
     ///
-    /// CustomParts laws and solvers must not remember anything between calls that changes what they return.
+    /// Custom laws and solvers must be stateless: their results may depend on their arguments only.
     ///
     /// # Errors
     /// [`CheckpointError::Io`] when the file cannot be written.
@@ -163,13 +163,13 @@ impl MixedLubricationSim {
         let path = path.as_ref();
         let io = |source| CheckpointError::Io { path: path.to_owned(), source };
         let bytes = self.checkpoint().map_err(|error| io(std::io::Error::other(error)))?;
-        whole_file::replace(path, &bytes).map_err(io)
+        atomic_file::replace(path, &bytes).map_err(io)
     }
 
-    /// The content of the file that [`save`](Self::save) writes, for copies in memory.
+    /// The bytes that [`save`](Self::save) writes, for copies in memory.
     ///
     /// # Errors
-    /// [`CheckpointError::Damaged`] where it cannot be put into bytes.
+    /// [`CheckpointError::Damaged`] if the state cannot be serialized.
     ///
     /// ```
     /// use stribeck::sim::{MixedLubricationSim, Scene};
@@ -205,7 +205,7 @@ impl MixedLubricationSim {
         Ok(bytes)
     }
 
-    /// Takes over what [`checkpoint`](Self::checkpoint) gave.
+    /// Restores the state from the bytes of [`checkpoint`](Self::checkpoint).
     ///
     /// # Errors
     /// As of [`restore`](Self::restore).
@@ -213,9 +213,9 @@ impl MixedLubricationSim {
         self.restore_from(Path::new(IN_MEMORY), bytes, &[]).map(|_| ())
     }
 
-    /// Takes over what [`save`](Self::save) wrote. The simulation must be built from the same scene, laws,
-    /// motion and heights; time, steps and all fields are then those of the file. On an error it is as
-    /// before.
+    /// Restores the state from a file written by [`save`](Self::save). The simulation must be built from the
+    /// same scene, laws, motion and heights. Time, steps and all fields are replaced by those of the file. An
+    /// error leaves the simulation unchanged.
     ///
     /// # Errors
     /// A file that cannot be read, is no checkpoint, is damaged, has a newer format or belongs to another
@@ -225,13 +225,13 @@ impl MixedLubricationSim {
         self.restore_from(path, &read(path)?, &[]).map(|_| ())
     }
 
-    /// Goes on from what [`save`](Self::save) wrote under other conditions: load, speeds, lubricant,
-    /// friction, temperatures, schedule and solver may be others than those of the file. Returns the names of
-    /// the parts that differ. Time and steps go on from those of the file, and a schedule is asked for its
-    /// values at that time.
+    /// Restores a file written by [`save`](Self::save) and continues under other conditions: load, speeds,
+    /// lubricant, friction, temperatures, schedule and solver may differ from those of the file. Returns the
+    /// names of the parts that differ. Time and steps continue from those of the file; a schedule is evaluated
+    /// at that time.
     ///
     /// # Errors
-    /// As of [`restore`](Self::restore); the simulation is then as before.
+    /// As of [`restore`](Self::restore); the simulation is then unchanged.
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
@@ -257,7 +257,7 @@ impl MixedLubricationSim {
         self.restore_from(path, &read(path)?, &CONDITIONS)
     }
 
-    /// The box of a saved run that has grown out of that of this one.
+    /// The box of the saved run if it has grown from the box of this one.
     fn grown_to(&self, saved: &Identity) -> Option<GridSpec> {
         let GridSpec::Growing { nx, ny, .. } = self.scene.grid else { return None };
         let grid = saved.grid()?;
@@ -274,8 +274,8 @@ impl MixedLubricationSim {
         }
     }
 
-    /// Takes over the `bytes` of the file at `path`, which may differ in the parts `allowed`; returns those
-    /// in which it does.
+    /// Restores the state from the `bytes` of the file at `path`, which may differ in the parts `allowed`.
+    /// Returns the parts that differ.
     fn restore_from(
         &mut self,
         path: &Path,
@@ -301,7 +301,7 @@ impl MixedLubricationSim {
         for (name, (own, saved)) in
             ["ball_heights", "disc_heights"].into_iter().zip(self.bodies.iter().zip(&content.bodies))
         {
-            // A box that has grown holds heights of two generations.
+            // A box that has grown combines heights of two generations: they cannot be compared.
             if !self.scene.grid.grows() && !same_bits(own.initial(), &saved.initial) {
                 return Err(other(name));
             }
@@ -340,14 +340,14 @@ impl MixedLubricationSim {
         self.state = state.into_owned();
         self.squeeze_memory = squeeze_memory.into_owned();
         (self.time, self.step, self.draws) = (time, step, draws);
-        // Under other conditions a film may have had no temperature of its own: it starts cool.
+        // Under other conditions the film may have been isothermal: its temperature rise starts at zero.
         if let Some(heat) = &mut self.film_heat {
             match film_rises {
                 Some(rises) => heat.set_start(rises.into_owned()),
                 None => drop(heat.take_start()),
             }
         }
-        // Other conditions may be unlikely on their own.
+        // Other conditions may cause warnings of their own.
         let mut warnings = warnings.into_owned();
         if !differences.is_empty() {
             let own = std::mem::take(&mut self.warnings);
@@ -358,7 +358,7 @@ impl MixedLubricationSim {
     }
 }
 
-/// The bytes of a file; a checkpoint is as large as its grid asks for.
+/// The bytes of a file. Their number is not bounded: it depends on the grid.
 fn read(path: &Path) -> Result<Vec<u8>, CheckpointError> {
     let io = |source| CheckpointError::Io { path: path.to_owned(), source };
     if !regular_file::begins_with(path, MAGIC).map_err(io)? {
@@ -372,7 +372,7 @@ fn same_bits(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }
 
-/// The content behind a valid header.
+/// The content after a valid header.
 fn checked_content<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a [u8], CheckpointError> {
     let damaged =
         |reason: &str| CheckpointError::Damaged { path: path.to_owned(), reason: reason.to_owned() };
@@ -388,7 +388,7 @@ fn checked_content<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a [u8], Checkpo
         return Err(CheckpointError::Newer { path: path.to_owned(), found, known: FORMAT });
     }
     if found < FORMAT {
-        return Err(damaged("its format is none that this version reads"));
+        return Err(damaged("its format is not one that this version reads"));
     }
     if length != (content.len() as u64).to_le_bytes().as_slice() {
         return Err(damaged("its length is not the one it was written with"));

@@ -1,6 +1,8 @@
 //! Files of a simulation: run folders, checkpoints, archives of fields.
 
 #[cfg(feature = "serde")]
+pub(in crate::sim) mod atomic_file;
+#[cfg(feature = "serde")]
 pub(in crate::sim) mod checkpoint;
 #[cfg(feature = "npz")]
 pub(in crate::sim) mod npz;
@@ -10,5 +12,3 @@ pub(in crate::sim) mod run_folder;
 pub(in crate::sim) mod start_file;
 #[cfg(feature = "vtk")]
 pub(in crate::sim) mod vtk;
-#[cfg(feature = "serde")]
-pub(in crate::sim) mod whole_file;

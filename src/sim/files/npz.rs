@@ -13,11 +13,11 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::sim::error::SimError;
 
-/// Bytes before the data of an npy array: a multiple of 64, enough for the counts of any grid.
+/// Bytes before the data of an npy array: a multiple of 64, enough for the shape of any grid.
 const HEADER: usize = 128;
 /// Positions of the nodes.
 const AXES: [&str; 2] = ["x", "y"];
-/// Values that are written at once.
+/// Number of values written at once.
 const CHUNK: usize = 1024;
 /// Magic, version and length of the dictionary.
 const PREFIX: usize = 10;
@@ -71,8 +71,8 @@ fn write_archive(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> std::io
     archive.finish()?.flush()
 }
 
-/// A writer that drops everything after its first error: an archive that is given up ends itself and would
-/// report its errors on the terminal.
+/// A writer that discards all output after its first error. An archive writer finishes itself when dropped
+/// and would print its errors to the terminal.
 struct UntilError<W> {
     /// The writer.
     inner: W,
@@ -81,7 +81,7 @@ struct UntilError<W> {
 }
 
 impl<W> UntilError<W> {
-    /// The result of `act`; `otherwise` after an error.
+    /// The result of `act`, or `otherwise` after an error.
     fn act<T>(&mut self, otherwise: T, act: impl FnOnce(&mut W) -> std::io::Result<T>) -> std::io::Result<T> {
         if self.failed {
             return Ok(otherwise);

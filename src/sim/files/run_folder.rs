@@ -1,4 +1,4 @@
-//! The folder of a run: what it takes to repeat it, to go on with it and to read it.
+//! The folder of a run: the files needed to repeat it, to continue it and to read its results.
 
 use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
@@ -11,14 +11,14 @@ use crate::error::InputError;
 use crate::regular_file;
 use crate::reynolds::ContactState;
 use crate::sim::error::{CheckpointError, SimError};
+use crate::sim::files::atomic_file;
 use crate::sim::files::npz::write_npz;
-use crate::sim::files::whole_file;
 use crate::sim::history::observer::Observer;
 use crate::sim::history::record::StepRecord;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::scene::BODIES;
 
-/// Writes a run into a folder, as an [`Observer`] or called by one.
+/// Writes a run into a folder, as an [`Observer`] or called from one.
 ///
 /// | file | content |
 /// |---|---|
@@ -27,12 +27,10 @@ use crate::sim::scene::BODIES;
 /// | `history.csv` | a line per step ([`StepRecord::csv_header()`]) |
 /// | `checkpoint` | the simulation after the last multiple of `every` steps and at the end |
 /// | `fields.npz` | heights, wear, plastic depth and tribofilm of both bodies, pressures and film; at the end |
-/// | `lock` | empty; locked as long as a run writes into the folder, which no other run may then |
+/// | `lock` | empty; locked while a run writes into the folder |
 ///
-/// Bodies of `fields.npz` are starts of other runs ([`BodyStart`](crate::sim::BodyStart)).
-///
-/// A run that was killed, whenever that was, goes on from its checkpoint and leaves the same files as one
-/// that was not.
+/// The bodies in `fields.npz` are starts of other runs ([`BodyStart`](crate::sim::BodyStart)).
+/// A run that was killed continues from its checkpoint and leaves the same files as an uninterrupted run.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -42,7 +40,7 @@ use crate::sim::scene::BODIES;
 /// let mut sim = build()?;
 /// let mut folder = RunFolder::create(&path, &sim, 2)?;
 /// sim.run(3, 10.0, &mut folder)?;
-/// drop(folder); // The run is killed: the checkpoint is that of two steps.
+/// drop(folder); // The run is killed. Its checkpoint holds two steps.
 /// let mut sim = build()?;
 /// let (mut folder, records) = RunFolder::resume(&path, &mut sim, 2)?;
 /// assert_eq!((sim.steps(), records.len()), (2, 2));
@@ -55,37 +53,37 @@ use crate::sim::scene::BODIES;
 pub struct RunFolder {
     /// The folder.
     path: PathBuf,
-    /// `history.csv`, open behind its last line.
+    /// `history.csv`, opened at its end.
     history: BufWriter<File>,
     /// Keeps other runs out of the folder while it is open.
     _lock: File,
-    /// Steps from one checkpoint to the next; 0 for none before the end.
+    /// Steps from one checkpoint to the next; 0 for one at the end only.
     every: u64,
     /// The contact of the last committed step.
     last_contact: Option<ContactState>,
-    /// Steps of the last checkpoint.
+    /// Number of steps at the last checkpoint.
     saved_steps: Option<u64>,
-    /// Why a step could not be written.
+    /// Error that stopped the run.
     failure: Option<SimError>,
 }
 
-/// What is not in the scene.
+/// Data of a run that the scene does not hold.
 #[derive(Serialize)]
 struct RunTable {
     /// Version of the crate.
     stribeck: &'static str,
-    /// By what `Debug` prints of it.
+    /// Output of `Debug` of the motion.
     motion: String,
-    /// Whether contacts feel the squeeze of those before.
+    /// Whether the film has a squeeze term.
     squeeze: bool,
 }
 
 impl RunFolder {
-    /// Names of the files of a run but for the lock, which holds nothing.
+    /// Names of the files of a run, without the empty lock file.
     pub const FILES: [&str; 5] = ["scene.toml", "run.toml", "history.csv", "checkpoint", "fields.npz"];
 
-    /// Makes the folder for a run from its start, with a checkpoint after each `every` steps (0: at the end
-    /// alone). What an earlier run left there is replaced.
+    /// Creates the folder for a run from its start, with a checkpoint after each `every` steps (0: at the end
+    /// only). Files of an earlier run are replaced.
     ///
     /// # Errors
     /// [`SimError::Io`] for a file that cannot be written, [`InputError::Conflict`] for a folder into which
@@ -96,13 +94,13 @@ impl RunFolder {
         Self::create_locked(path, lock, sim, every)
     }
 
-    /// Takes the folder, made where there is none, for one run as long as the file that is returned is open.
+    /// Creates the folder if needed and locks it for one run. The lock lasts while the returned file is open.
     fn lock(path: &Path) -> Result<File, SimError> {
         let file = path.join("lock");
-        // A pipe would be waited for without end.
+        // Opening a pipe would block forever.
         let opened = fs::create_dir_all(path).and_then(|()| match regular_file::size(&file) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-            // A file of this name keeps its content.
+            // An existing file of this name keeps its content.
             _ => File::options().write(true).create(true).truncate(false).open(&file),
         });
         let lock = opened.map_err(|source| SimError::Io { path: file.clone(), source })?;
@@ -111,7 +109,7 @@ impl RunFolder {
                 field: path.display().to_string(),
                 reason: "another run writes into this folder; end it, or give another folder".to_owned(),
             })),
-            // Some file systems know no locks.
+            // Some file systems have no locks.
             Err(TryLockError::Error(source)) if source.kind() != io::ErrorKind::Unsupported => {
                 Err(SimError::Io { path: file, source })
             }
@@ -119,14 +117,14 @@ impl RunFolder {
         }
     }
 
-    /// Makes the files of a run from its start.
+    /// Creates the files of a run from its start.
     fn create_locked(
         path: PathBuf,
         lock: File,
         sim: &MixedLubricationSim,
         every: u64,
     ) -> Result<Self, SimError> {
-        // First, so that no checkpoint of another run stands beside the history of this one.
+        // First, so that the history never stands beside a checkpoint of another run.
         for name in ["checkpoint", "fields.npz"] {
             match fs::remove_file(path.join(name)) {
                 Err(source) if source.kind() != io::ErrorKind::NotFound => {
@@ -143,7 +141,7 @@ impl RunFolder {
             [("scene.toml", &sim.scene().to_toml()?), ("run.toml", &run), ("history.csv", &header)]
         {
             let file = path.join(name);
-            whole_file::replace(&file, text.as_bytes())
+            atomic_file::replace(&file, text.as_bytes())
                 .map_err(|source| SimError::Io { path: file, source })?;
         }
         let mut history = Self::open_history(&path)?;
@@ -152,8 +150,8 @@ impl RunFolder {
         Ok(Self { path, history, _lock: lock, every, last_contact: None, saved_steps: None, failure: None })
     }
 
-    /// Goes on with the run in the folder: `sim`, built as for its start, is brought to the checkpoint and
-    /// the history is cut to its steps, which are returned. Without a checkpoint this is
+    /// Continues the run in the folder. `sim`, built as for its start, is restored from the checkpoint; the
+    /// history is cut to the steps of the checkpoint, which are returned. Without a checkpoint this is
     /// [`create`](Self::create).
     ///
     /// # Errors
@@ -195,7 +193,7 @@ impl RunFolder {
         opened.map(BufWriter::new).map_err(|source| SimError::Io { path: file, source })
     }
 
-    /// The first `steps` records in `text`, and how many bytes they take with the header.
+    /// The first `steps` records in `text`, and their length in bytes with the header.
     fn rows(text: &str, steps: u64, file: &Path) -> Result<(Vec<StepRecord>, u64), SimError> {
         let short = |records: &[StepRecord]| {
             SimError::Input(InputError::Conflict {
@@ -223,7 +221,7 @@ impl RunFolder {
         Ok((records, length as u64))
     }
 
-    /// A line of the history and, where it is due, a checkpoint.
+    /// Writes a line of the history and, if one is due, a checkpoint.
     fn write_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> Result<(), SimError> {
         let file = self.path.join("history.csv");
         let written = record.write_csv(&mut self.history).and_then(|()| self.history.flush());
@@ -232,7 +230,7 @@ impl RunFolder {
         if self.every > 0 && sim.steps().is_multiple_of(self.every) { self.save(sim) } else { Ok(()) }
     }
 
-    /// The history reaches the disk before the checkpoint that counts its lines.
+    /// Flushes the history to disk before the checkpoint that counts its lines.
     fn save(&mut self, sim: &MixedLubricationSim) -> Result<(), SimError> {
         let synced = self.history.get_ref().sync_data();
         synced.map_err(|source| SimError::Io { path: self.path.join("history.csv"), source })?;
@@ -244,7 +242,7 @@ impl RunFolder {
     /// Writes the last checkpoint and the fields.
     ///
     /// # Errors
-    /// The error that stopped the run if a step could not be written; a file that cannot be written.
+    /// The error that stopped the run, or one of writing.
     pub fn finish(mut self, sim: &MixedLubricationSim) -> Result<(), SimError> {
         if let Some(failure) = self.failure.take() {
             return Err(failure);
@@ -276,19 +274,21 @@ impl RunFolder {
         let states = film_states(sim);
         fields.extend(states.iter().map(|(name, state)| (name.as_str(), state.as_slice())));
         let (file, grid) = (self.path.join("fields.npz"), sim.grid());
-        let draft = whole_file::draft(&file);
+        let temporary = atomic_file::temporary_path(&file);
         let put =
-            || whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file.clone(), source });
-        write_npz(&draft, &grid, &fields).and_then(|()| put()).inspect_err(|_| drop(fs::remove_file(&draft)))
+            || atomic_file::put_in_place(&file).map_err(|source| SimError::Io { path: file.clone(), source });
+        write_npz(&temporary, &grid, &fields)
+            .and_then(|()| put())
+            .inspect_err(|_| drop(fs::remove_file(&temporary)))
     }
 
-    /// The contact of the last committed step; none before the first.
+    /// The contact of the last committed step; `None` before the first.
     pub fn last_contact(&self) -> Option<&ContactState> {
         self.last_contact.as_ref()
     }
 }
 
-/// States of the tribofilms, where there is more to them than the thickness: a start of another run needs
+/// State variables of the tribofilms whose law has more than the thickness. A start of another run needs
 /// them.
 fn film_states(sim: &MixedLubricationSim) -> Vec<(String, Vec<f64>)> {
     let mut fields = Vec::new();
@@ -303,7 +303,7 @@ fn film_states(sim: &MixedLubricationSim) -> Vec<(String, Vec<f64>)> {
 }
 
 impl Observer for RunFolder {
-    /// Writes the step; where that fails the run ends, and [`finish`](RunFolder::finish) says why.
+    /// Writes the step. An error stops the run; [`finish`](RunFolder::finish) returns it.
     fn after_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
         match self.write_step(sim, record) {
             Ok(()) => ControlFlow::Continue(()),

@@ -14,19 +14,19 @@ use crate::sim::error::SimError;
 use crate::sim::history::start::BodyStart;
 use crate::surface::read_bytes;
 
-/// Bytes of an array beside its numbers, at most.
+/// Most bytes of an array beside its numbers.
 const HEADER: u64 = 1 << 16;
 
 impl BodyStart {
-    /// The body that an npz archive holds as the arrays `NAME_initial`, `NAME_wear`, `NAME_plastic_depth` and
-    /// `NAME_tribofilm` of shape `(ny, nx)`, as `fields.npz` of a [`RunFolder`](crate::sim::RunFolder) does for
-    /// the names `ball` and `disc`. All but the first may be missing. The states of a film are taken from
-    /// `NAME_tribofilm_state_0` and so on where they are there. The archive does not tell the size of its
-    /// cells: `grid` is the one that it was written on.
+    /// Reads a body from the arrays `NAME_initial`, `NAME_wear`, `NAME_plastic_depth` and `NAME_tribofilm` of
+    /// shape `(ny, nx)` in an npz archive. `fields.npz` of a [`RunFolder`](crate::sim::RunFolder) has them for
+    /// the names `ball` and `disc`. Only the first is required. States of a film are read from
+    /// `NAME_tribofilm_state_0`, `_1` and so on if present. The archive does not hold the cell size: `grid` must
+    /// be the grid that it was written on.
     ///
     /// # Errors
-    /// [`SimError`] for a file that cannot be read or is no archive, an array that is missing, damaged or not
-    /// of the shape of `grid`.
+    /// [`SimError`] for a file that cannot be read or is not an archive, and for an array that is missing,
+    /// damaged or of another shape than `grid`.
     pub fn read_npz(path: impl AsRef<Path>, name: &str, grid: Grid) -> Result<Self, SimError> {
         let path = path.as_ref();
         let io = |source| SimError::Io { path: path.to_owned(), source };
@@ -53,7 +53,7 @@ impl BodyStart {
     }
 }
 
-/// The array called `name`, if it is there.
+/// The array `name`, if present.
 fn read_array(
     archive: &mut ZipArchive<File>,
     path: &Path,

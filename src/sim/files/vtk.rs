@@ -1,6 +1,6 @@
 //! Fields as files of the Visualization Toolkit.
 //!
-//! One file holds one grid and its fields as scalars at its nodes, big-endian as the format wants it.
+//! One file holds one grid and its fields as scalars at the nodes, big-endian as the format requires.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -61,7 +61,7 @@ fn write(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> std::io::Result
     out.flush()
 }
 
-/// Big-endian numbers and the end of their line.
+/// Writes big-endian numbers and a newline.
 fn write_values(out: &mut impl Write, values: &[f64]) -> std::io::Result<()> {
     for value in values {
         out.write_all(&value.to_be_bytes())?;

@@ -1,4 +1,4 @@
-//! What can be asked of a simulation between two steps.
+//! Accessors of a simulation.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -13,12 +13,12 @@ use crate::sim::scene::operating_schedule::Conditions;
 use crate::surface::RoughnessMotion;
 
 impl MixedLubricationSim {
-    /// How the roughness moves from step to step.
+    /// The motion of the roughness from step to step.
     pub fn motion(&self) -> &dyn RoughnessMotion {
         self.surface_motion.motion.as_ref()
     }
 
-    /// Whether each contact feels the squeeze of the film before it.
+    /// Whether the film has a squeeze term.
     pub fn has_squeeze(&self) -> bool {
         self.surface_motion.squeeze
     }
@@ -33,7 +33,7 @@ impl MixedLubricationSim {
         &self.scene
     }
 
-    /// What acts on the contact at the time that has passed.
+    /// Load, speeds and temperature at the present time.
     pub fn conditions(&self) -> Conditions {
         self.operating_schedule.at(self.time)
     }
@@ -43,12 +43,12 @@ impl MixedLubricationSim {
         self.contact.hertz
     }
 
-    /// Time that has passed \[s\].
+    /// Simulated time \[s\].
     pub fn time(&self) -> f64 {
         self.time
     }
 
-    /// Steps that were committed.
+    /// Number of committed steps.
     pub fn steps(&self) -> u64 {
         self.step
     }
@@ -63,8 +63,8 @@ impl MixedLubricationSim {
         &self.state
     }
 
-    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`], of heights that were read or
-    /// given, and after the first step of its contact. The list is that of the whole run, no step repeats it.
+    /// All warnings of the run so far: those of [`Scene::warnings`], of heights read or given, and of the first
+    /// contact.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
@@ -74,20 +74,20 @@ impl MixedLubricationSim {
         self.heat.is_modelled
     }
 
-    /// Largest flash temperature rise that the smooth contact would have \[K\] under the conditions at any
-    /// entry of the schedule, by which it is modelled or left out unless the scene says which: by boundary
-    /// friction under all of the load, or by shear of a fluid film of the thickness that the formulas give,
-    /// whichever is hotter (see [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)). Of
-    /// ellipses and line contacts it is that of a circle of their mean flux.
+    /// Largest flash temperature rise of the smooth contact over the entries of the schedule \[K\]. Unless the
+    /// scene decides, the flash temperature is modelled if this is 1 K or more. The heat is that of boundary
+    /// friction under the full load, or of shear of a fluid film of the thickness by formula, whichever is
+    /// larger (see [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)). Ellipses and line
+    /// contacts are treated as a circle under the same mean flux.
     pub fn flash_estimate(&self) -> f64 {
         self.heat.estimate
     }
 
-    /// The inlet under the conditions of the last step, or of the start; none in a dry contact and where the oil begins
-    /// at the edge of the box or, by a supplied film, within it.
+    /// The flooded inlet under the conditions of the last step, or of the start; `None` for a dry contact, for a
+    /// lubricant supply at the edge of the box and for a supplied film.
     ///
     /// # Errors
-    /// Never for a simulation that was built.
+    /// Never for a simulation built by [`SimBuilder`](crate::sim::SimBuilder).
     pub fn inlet(&self) -> Result<Option<FloodedInlet>, InputError> {
         self.contact.flooded_inlet()
     }
@@ -95,7 +95,7 @@ impl MixedLubricationSim {
     /// Largest difference over both bodies between the surface and `initial - wear - plastic + film` \[m\].
     ///
     /// # Errors
-    /// Never for a simulation that was built: its fields have one length.
+    /// Never for a simulation built by [`SimBuilder`](crate::sim::SimBuilder): its fields have one length.
     pub fn ledger_residual(&self) -> Result<f64, InputError> {
         let [ball, disc] = &self.bodies;
         Ok(ball.ledger()?.residual(&ball.surface)?.max(disc.ledger()?.residual(&disc.surface)?))

@@ -1,7 +1,7 @@
-//! One body: its surface on its own nodes, and where every nanometre of it went.
+//! One body: its surface on its own nodes, and the balance of its height changes.
 //!
-//! Wear, plastic depth and tribofilm of a body are kept apart, on the nodes of the body, which move through
-//! the contact; the surface follows from them. Nothing else of a body is remembered from step to step.
+//! Wear, plastic depth and tribofilm are stored separately on the nodes of the body, which move through the
+//! contact. The surface follows from them. A body has no other state.
 
 use crate::error::InputError;
 use crate::metrics;
@@ -12,7 +12,7 @@ use crate::wear::{SurfaceLedger, Volumes, WearDepth};
 
 /// The surface of one body on its own periodic patch.
 ///
-/// At every moment `surface = initial - wear - plastic + film`, node by node.
+/// At any time `surface = initial - wear - plastic + film`, node by node.
 ///
 /// # Examples
 ///
@@ -30,17 +30,17 @@ use crate::wear::{SurfaceLedger, Volumes, WearDepth};
 /// ```
 #[derive(Debug)]
 pub struct Body {
-    /// Heights at the start \[m\].
+    /// Initial heights \[m\].
     initial: Vec<f64>,
-    /// Worn depth, which only grows.
+    /// Worn depth; never decreases.
     pub(in crate::sim) wear: WearDepth,
-    /// Flattened depth, which only grows.
+    /// Plastic depth; never decreases.
     pub(in crate::sim) plastic: PlasticDepth,
-    /// The tribofilm with the states of its law; none without a law.
+    /// The tribofilm with the state of its law; `None` without a law.
     pub(in crate::sim) film: Option<Tribofilm>,
-    /// Zeros in place of the thickness where there is none.
+    /// Zero thickness, for bodies without a tribofilm.
     pub(in crate::sim) no_film: Vec<f64>,
-    /// Heights now, brought up to date by `rebuild` \[m\].
+    /// Present heights, updated by `rebuild` \[m\].
     pub(in crate::sim) surface: Vec<f64>,
     /// Volume worn off since the start of the history \[m^3\].
     pub(in crate::sim) worn_volume: f64,
@@ -59,7 +59,7 @@ impl Clone for Body {
         }
     }
 
-    /// Copies into the buffers that are there.
+    /// Copies into the existing buffers.
     fn clone_from(&mut self, source: &Self) {
         self.initial.clone_from(&source.initial);
         self.wear.clone_from(&source.wear);
@@ -72,7 +72,7 @@ impl Clone for Body {
 }
 
 impl Body {
-    /// A body without wear and plastic depth, bare of the film of `law`.
+    /// A body without wear, plastic depth and tribofilm. The film will grow by `law`.
     pub(in crate::sim) fn new(initial: Vec<f64>, law: Option<&dyn FilmGrowthLaw>) -> Self {
         let n = initial.len();
         Self {
@@ -86,12 +86,12 @@ impl Body {
         }
     }
 
-    /// Heights at the start \[m\].
+    /// Initial heights \[m\].
     pub fn initial(&self) -> &[f64] {
         &self.initial
     }
 
-    /// Heights now \[m\].
+    /// Present heights \[m\].
     pub fn surface(&self) -> &[f64] {
         &self.surface
     }
@@ -101,10 +101,10 @@ impl Body {
         self.wear.values()
     }
 
-    /// Volume worn off the whole body since the start of the history \[m^3\], of a line contact off one metre of
-    /// its width: the time integral of the rate of wear over the contact. With Archard's law and one coefficient
-    /// it is `K F s/H` (load `F` of the pressure that wears, sliding distance `s`), in any box, whether the body
-    /// moves or not. The patch holds a part of it, see [`Exposure`](crate::sim::scene::Exposure).
+    /// Volume worn off the whole body since the start of the history \[m^3\]; for a line contact per metre of its
+    /// width. It is the time integral of the wear rate over the contact. With Archard's law and one coefficient
+    /// it is `K F s/H` (`F` load of the wear pressure, `s` sliding distance), for any box, moving bodies or not.
+    /// The patch holds a part of it, see [`Exposure`](crate::sim::scene::Exposure).
     pub fn worn_volume(&self) -> f64 {
         self.worn_volume
     }
@@ -114,12 +114,12 @@ impl Body {
         self.plastic.values()
     }
 
-    /// Thickness of the tribofilm \[m\]; zeros without one.
+    /// Thickness of the tribofilm \[m\]; zero without one.
     pub fn tribofilm(&self) -> &[f64] {
         self.film.as_ref().map_or(&self.no_film, Tribofilm::thickness)
     }
 
-    /// The account of the surface.
+    /// The height balance of the surface.
     ///
     /// # Errors
     /// Never for a body of a simulation: its fields have one length.
@@ -135,7 +135,7 @@ impl Body {
         Ok(self.ledger()?.volumes(cell_area))
     }
 
-    /// Brings the surface up to date with its account; heights beyond the range of numbers are an error.
+    /// Recomputes the surface from its height balance. Heights that are not finite are an error.
     pub(in crate::sim) fn rebuild(&mut self) -> Result<(), SimError> {
         let ledger = SurfaceLedger::new(
             &self.initial,

@@ -1,11 +1,11 @@
-//! Putting a simulation together: the scene's own laws, or the user's in their place.
+//! Builder of a simulation from the laws of its scene or custom components.
 //!
 //! Every law of the scene can be replaced before [`build`](SimBuilder::build) or
-//! [`solve`](SimBuilder::solve), which check all of it: nothing is made before. Replaced parts make a run
-//! another one for checkpoints, which compare them by what `Debug` prints.
+//! [`solve`](SimBuilder::solve), which check everything. Checkpoints identify custom components by their
+//! `Debug` output: a simulation with other components is another run.
 //!
-//! [`SimBuilder::build`] makes a history, [`SimBuilder::solve`] a single contact. Parts are kept as given and
-//! shared by clones of the simulation, but for elastic bodies and solver, which are copied.
+//! [`SimBuilder::build`] makes a history, [`SimBuilder::solve`] a single contact. Clones of the simulation
+//! share all components except elastic bodies and solver, which are copied.
 
 use std::sync::Arc;
 
@@ -53,11 +53,11 @@ use crate::wear::WearLaw;
 /// ```
 #[derive(Debug)]
 pub struct SimBuilder {
-    /// The scene, which what follows takes precedence over.
+    /// The scene. The components below replace its parts.
     pub(in crate::sim) scene: Scene,
-    /// Parts of the contact that were given.
+    /// Custom components of the contact.
     pub(in crate::sim) custom: CustomComponents,
-    /// Laws that were given; none for those of the scene.
+    /// Custom plasticity model; `None` for that of the scene, as for all fields below.
     pub(in crate::sim) plasticity: Option<Arc<dyn PlasticityModel>>,
     /// Growth of the tribofilm.
     pub(in crate::sim) growth: Option<Arc<dyn FilmGrowthLaw>>,
@@ -67,21 +67,21 @@ pub struct SimBuilder {
     pub(in crate::sim) friction: Option<Arc<dyn BoundaryFriction>>,
     /// Motion of the roughness from step to step.
     pub(in crate::sim) motion: Option<Arc<dyn RoughnessMotion>>,
-    /// Whether contacts feel the squeeze of those before.
+    /// Whether the film has a squeeze term.
     squeeze: bool,
-    /// Heights of ball and disc that were given \[m\].
+    /// Custom heights of ball and disc \[m\].
     pub(in crate::sim) heights: [Option<Vec<f64>>; 2],
     /// Bodies from earlier runs.
     pub(in crate::sim) starts: [Option<BodyStart>; 2],
-    /// Rq in the files of measured surfaces, once they are read \[m\].
+    /// Rq of the files of measured surfaces after reading \[m\].
     measured_rq: [Option<f64>; 2],
-    /// What a single contact, or the first one of a history, starts from.
+    /// Start of a single contact, or of the first one of a history.
     pub(in crate::sim) contact_start: Option<ContactState>,
 }
 
-/// What is in place of parts of the scene.
+/// Flags of the parts of the scene that were replaced.
 #[derive(Debug, Default, Clone, Copy)]
-pub(in crate::sim) struct CustomParts {
+pub(in crate::sim) struct ReplacedParts {
     /// Heights of ball and disc.
     heights: [bool; 2],
     /// The viscosity law.
@@ -91,14 +91,14 @@ pub(in crate::sim) struct CustomParts {
 }
 
 impl MixedLubricationSim {
-    /// A builder that makes the simulation of `scene`.
+    /// A builder of the simulation of `scene`.
     pub fn builder(scene: Scene) -> SimBuilder {
         SimBuilder::new(scene)
     }
 }
 
 impl SimBuilder {
-    /// A builder that replaces nothing.
+    /// A builder without custom components.
     pub(in crate::sim) fn new(scene: Scene) -> Self {
         Self {
             scene,
@@ -116,8 +116,8 @@ impl SimBuilder {
         }
     }
 
-    /// Replaces the elastic half-space; the model must live on the grid of the scene ([`Scene::grid`]). It is
-    /// copied where the simulation is.
+    /// Replaces the elastic half-space. The model must be on the grid of the scene ([`Scene::grid`]). Clones of the
+    /// simulation copy it.
     #[must_use]
     pub fn deformation(mut self, model: impl DeformationModel + Clone + 'static) -> Self {
         self.custom.deformation = Some(Box::new(model));
@@ -138,30 +138,30 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the solver, which is copied where the simulation is. A state that it calls converged is
-    /// evaluated before it counts: where its residuals are above twice the tolerance the status is
-    /// [`Status::Unverified`](crate::Status::Unverified), and nothing is done to the bodies.
+    /// Replaces the solver. Clones of the simulation copy it. A state that it reports as converged is evaluated
+    /// again: if its residuals exceed twice the tolerance, the status is
+    /// [`Status::Unverified`](crate::Status::Unverified) and the bodies do not change.
     #[must_use]
     pub fn solver(mut self, solver: impl ContactSolver + Clone + 'static) -> Self {
         self.custom.solver = Some(Box::new(solver));
         self
     }
 
-    /// Replaces the plasticity model, or brings one into a scene without.
+    /// Sets the plasticity model, with or without one in the scene.
     #[must_use]
     pub fn plasticity(mut self, model: impl PlasticityModel + 'static) -> Self {
         self.plasticity = Some(Arc::new(model));
         self
     }
 
-    /// Replaces the growth law of the tribofilm, or brings one into a scene without.
+    /// Sets the growth law of the tribofilm, with or without one in the scene.
     #[must_use]
     pub fn growth_law(mut self, law: impl FilmGrowthLaw + 'static) -> Self {
         self.growth = Some(Arc::new(law));
         self
     }
 
-    /// Replaces the wear law of the scene; its [`exposure`](crate::sim::scene::WearSpec::exposure) stays.
+    /// Replaces the wear law of the scene, but not its [`exposure`](crate::sim::scene::WearSpec::exposure).
     #[must_use]
     pub fn wear_law(mut self, law: impl WearLaw + 'static) -> Self {
         self.wear = Some(Arc::new(law));
@@ -175,16 +175,14 @@ impl SimBuilder {
         self
     }
 
-    /// Begins with a ball that has been through an earlier run: its heights, wear, plastic depth and
-    /// tribofilm.
+    /// Starts with a ball from an earlier run: its heights, wear, plastic depth and tribofilm.
     #[must_use]
     pub fn ball_start(mut self, start: BodyStart) -> Self {
         self.starts[0] = Some(start);
         self
     }
 
-    /// Begins with a disc that has been through an earlier run: its heights, wear, plastic depth and
-    /// tribofilm.
+    /// Starts with a disc from an earlier run: its heights, wear, plastic depth and tribofilm.
     #[must_use]
     pub fn disc_start(mut self, start: BodyStart) -> Self {
         self.starts[1] = Some(start);
@@ -198,19 +196,19 @@ impl SimBuilder {
         self
     }
 
-    /// Makes the history transient: each contact after the first feels the squeeze of the films of the two
-    /// before ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order); of first order in the
-    /// second contact and after a step more than twice as long as the one before). It belongs to
-    /// [`Advected`](crate::surface::Advected) and steps of the time that the surfaces need for a cell; in the
-    /// long steps of a wear history the squeeze is nothing.
+    /// Makes the history transient: from the second contact on, the squeeze term uses the films of the two previous
+    /// contacts ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order)). It is first-order in the
+    /// second contact and after a step more than twice as long as the previous one. Use it with
+    /// [`Advected`](crate::surface::Advected) and steps of one cell transit time; in the long steps of a wear
+    /// history the squeeze term vanishes.
     #[must_use]
     pub fn with_squeeze(mut self) -> Self {
         self.squeeze = true;
         self
     }
 
-    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\]. Flow
-    /// through faces is by default that between rough surfaces unless all of them are equal.
+    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\]. Unless all
+    /// heights are equal, the default face mobility is that of rough surfaces.
     #[must_use]
     pub fn ball_heights(mut self, heights: Vec<f64>) -> Self {
         self.heights[0] = Some(heights);
@@ -225,8 +223,8 @@ impl SimBuilder {
         self
     }
 
-    /// Ends a solve early: `asked` is called once an iteration, on the thread that solves, and where it
-    /// returns true the solve is an error ([`SimError::Interrupted`]) and a simulation is as before the step.
+    /// Interrupts a solve: `asked` is called once per iteration on the solving thread. When it returns true, the
+    /// solve ends with [`SimError::Interrupted`] and the simulation is as before the step.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -247,31 +245,30 @@ impl SimBuilder {
         self
     }
 
-    /// Starts [`solve`](Self::solve), or the first step of a history, from the pressures of an earlier
-    /// solution on the same grid. Newton's method discards them where their residual is above
+    /// Starts [`solve`](Self::solve), or the first step of a history, from the pressures of an earlier solution on
+    /// the same grid. Newton's method discards this start if its residual exceeds
     /// [`NewtonSettings::warm_start_threshold`](crate::reynolds::NewtonSettings::warm_start_threshold). Later
-    /// steps start from the bodies alone.
+    /// steps start from the bodies only.
     #[must_use]
     pub fn contact_start(mut self, state: ContactState) -> Self {
         self.contact_start = Some(state);
         self
     }
 
-    /// The pressure flow through faces, by default that between rough surfaces where heights in place of
-    /// those of the scene are.
-    pub(in crate::sim) fn face_mobility(&self, own: CustomParts, bodies: &[Body; 2]) -> FaceMobility {
+    /// The face mobility. Its default for custom heights is that of rough surfaces.
+    pub(in crate::sim) fn face_mobility(&self, replaced: ReplacedParts, bodies: &[Body; 2]) -> FaceMobility {
         let roughness = [&self.scene.roughness.ball, &self.scene.roughness.disc];
         let smooth = (0..2).all(|index| {
             let surface = bodies[index].surface();
             let is_flat = || surface.iter().all(|z| z.to_bits() == surface[0].to_bits());
-            if own.heights[index] { is_flat() } else { roughness[index].is_smooth() }
+            if replaced.heights[index] { is_flat() } else { roughness[index].is_smooth() }
         });
         self.scene.face_mobility_between(smooth)
     }
 
-    /// What a caller has given so far in place of parts of the scene.
-    pub(in crate::sim) fn own(&self) -> CustomParts {
-        CustomParts {
+    /// The parts of the scene replaced so far.
+    pub(in crate::sim) fn replaced(&self) -> ReplacedParts {
+        ReplacedParts {
             heights: [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some()),
             viscosity: self.custom.viscosity.is_some(),
             growth: self.growth.is_some(),
@@ -307,7 +304,7 @@ impl SimBuilder {
         given.into_iter().find_map(|(part, given)| given.then_some(part)).or_else(|| self.custom_contact())
     }
 
-    /// A part that a builder has been given and a box that grows cannot take along.
+    /// A custom component that is defined on one grid and cannot follow a growing box.
     pub(in crate::sim) fn part_on_one_grid(&self) -> Option<&'static str> {
         let others = [
             ("growth_law", self.growth.is_some()),
@@ -318,7 +315,7 @@ impl SimBuilder {
         self.custom_part().or_else(|| others.into_iter().find_map(|(part, given)| given.then_some(part)))
     }
 
-    /// Checks the scene and makes the simulation; what is not modelled is decided here once.
+    /// Checks the scene and makes the simulation, with the physics that the scene asks for.
     ///
     /// # Errors
     /// A scene or heights that do not fit.
@@ -326,8 +323,8 @@ impl SimBuilder {
         self.scene.schedule.read_tables()?;
         self.require_growable()?;
         #[cfg(feature = "serde")]
-        let own_parts = crate::sim::history::identity::OwnParts::of(&self);
-        let own = self.own();
+        let custom_identity = crate::sim::history::identity::CustomIdentity::of(&self);
+        let replaced = self.replaced();
         let custom_contact = self.custom_contact();
         let custom = std::mem::take(&mut self.custom);
         let interrupt = custom.interrupt.clone();
@@ -338,8 +335,8 @@ impl SimBuilder {
         exposure::validate(&self.scene, &operating_schedule, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
-        let warnings = self.warnings(own, &contact, &bodies, &laws);
-        contact.face_mobility = self.face_mobility(own, &bodies);
+        let warnings = self.warnings(replaced, &contact, &bodies, &laws);
+        contact.face_mobility = self.face_mobility(replaced, &bodies);
         let heat = Heat::new(&self.scene, &contact, &operating_schedule, &laws)?;
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion().into());
         let surface_motion = SurfaceMotion { motion, squeeze: self.squeeze };
@@ -358,25 +355,25 @@ impl SimBuilder {
         sim.half_mesh = HalfMesh::new(&sim.scene, &sim.contact, interrupt.clone())?.map(Box::new);
         sim.interrupt = interrupt;
         #[cfg(feature = "serde")]
-        let sim = sim.with_own_parts(own_parts);
+        let sim = sim.with_custom_identity(custom_identity);
         Ok(sim)
     }
 
-    /// Goes as far as [`build`](Self::build) and the first step of the history do before the first iteration
-    /// of its solver, and solves nothing. Returns the warnings that are known by then. What a single contact
-    /// refuses, [`check_contact`](Self::check_contact) tells.
+    /// Prepares [`build`](Self::build) and the first step of the history up to the first iteration of its solver,
+    /// without solving. Returns the warnings known by then. [`check_contact`](Self::check_contact) is the same
+    /// for a single contact.
     ///
     /// # Errors
-    /// What [`build`](Self::build) and the first step refuse, with the same error: what no contact can have,
-    /// and what a history alone has no place for, as a track shorter than the patch, or a load of the schedule
-    /// that the box does not hold or the hardness does not carry.
+    /// The input errors of [`build`](Self::build) and of the first step. Some concern a history only: a track
+    /// shorter than the patch, a load of the schedule that does not fit into the box or exceeds the pressure
+    /// limit.
     ///
     /// ```
     /// use stribeck::sim::{MixedLubricationSim, Scene};
     /// let mut scene = Scene::azam_2019(32);
     /// let builder = |scene: &Scene| MixedLubricationSim::builder(scene.clone());
     /// assert_eq!(builder(&scene).check()?, scene.warnings());
-    /// scene.track.radius_disc = Some(1e-6); // a track that the patch does not fit on
+    /// scene.track.radius_disc = Some(1e-6); // the track is shorter than the patch
     /// assert!(builder(&scene).check().is_err() && builder(&scene).check_contact().is_ok());
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
@@ -386,11 +383,11 @@ impl SimBuilder {
         Ok(sim.warnings)
     }
 
-    /// Those of the scene but for roughness that `own` heights replace, and those of heights and laws that were
+    /// The warnings of the scene, without those on roughness that custom heights replace, and of heights and laws
     /// given or read.
     pub(in crate::sim) fn warnings(
         &self,
-        own: CustomParts,
+        replaced: ReplacedParts,
         contact: &ContactModel,
         bodies: &[Body; 2],
         laws: &Laws,
@@ -398,7 +395,7 @@ impl SimBuilder {
         let mut scene = self.scene.clone();
         let mut found = Vec::new();
         let roughness = [&mut scene.roughness.ball, &mut scene.roughness.disc];
-        for (index, (roughness, given)) in roughness.into_iter().zip(own.heights).enumerate() {
+        for (index, (roughness, given)) in roughness.into_iter().zip(replaced.heights).enumerate() {
             if given || matches!(roughness, Roughness::File(_)) {
                 *roughness = Roughness::None;
                 found.extend(warnings::of_heights(
@@ -411,8 +408,8 @@ impl SimBuilder {
                 found.extend(measured.and_then(|rq| warnings::lost_rq(index, bodies[index].initial(), rq)));
             }
         }
-        let viscosity = contact.lubricant.as_ref().filter(|_| own.viscosity).map(Lubricant::viscosity);
-        let growth = laws.growth.as_ref().filter(|_| own.growth);
+        let viscosity = contact.lubricant.as_ref().filter(|_| replaced.viscosity).map(Lubricant::viscosity);
+        let growth = laws.growth.as_ref().filter(|_| replaced.growth);
         found.extend(warnings::of_own_laws(viscosity, growth.map(|law| law.maximum_thickness())));
         let heights = bodies.each_ref().map(Body::initial);
         found.extend(warnings::of_roughness(&self.scene, heights, &contact.grid, &contact.hertz));
@@ -424,8 +421,8 @@ impl SimBuilder {
         warnings
     }
 
-    /// The laws that were given, else those that the scene names, each for the hardness of its body. The
-    /// thickness of a full tribofilm goes to the laws that depend on the film.
+    /// The custom laws, or else those of the scene, each for the hardness of its body. Laws that depend on the film
+    /// get the thickness of a full tribofilm.
     pub(in crate::sim) fn laws(&mut self) -> Result<Laws, SimError> {
         let scene = &self.scene;
         let growth: Option<Arc<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
@@ -473,8 +470,7 @@ impl SimBuilder {
         Ok(Laws { plasticity, growth, wear, friction })
     }
 
-    /// Ball (0) or disc (1): a body of an earlier run, or new with heights that were given, generated or
-    /// read.
+    /// The ball (0) or the disc (1): a body from an earlier run, or a new one of heights given, generated or read.
     pub(in crate::sim) fn body(
         &mut self,
         index: usize,
@@ -487,7 +483,7 @@ impl SimBuilder {
             if heights.is_some() {
                 return Err(SimError::Input(InputError::Conflict {
                     field: format!("{name} start"),
-                    reason: format!("heights of the {name} are given too, and a start brings its own"),
+                    reason: format!("heights of the {name} are given too, but a start has its own"),
                 }));
             }
             return Ok(start.into_body(name, &contact.grid, laws.growth.as_deref())?);
@@ -505,13 +501,13 @@ impl SimBuilder {
         let field = format!("{name}_heights");
         contact.grid.require_field(&field, &initial)?;
         let half_width = contact.hertz.half_width_x.min(contact.hertz.half_width_y);
-        warnings::refuse_height_slip(&format!("roughness.{name}"), &initial, half_width)?;
+        warnings::reject_height_unit(&format!("roughness.{name}"), &initial, half_width)?;
         Ok(Body::new(initial, laws.growth.as_deref()))
     }
 }
 
-/// The plasticity model of one body: a hardness, linear in the thickness of a tribofilm that is softer, and
-/// growing with the plastic depth where a modulus is given. Errors name its constants alone.
+/// The plasticity model of one body: a hardness, linear in the thickness of a softer tribofilm, and growing with
+/// the plastic depth if a modulus is given. Errors name its constants only.
 fn plasticity_model(
     spec: &PlasticSpec,
     film_thickness: Option<f64>,

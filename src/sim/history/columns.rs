@@ -1,36 +1,36 @@
-//! The columns of a history: what each is called, its unit, and where its value is.
+//! The columns of a history: name, unit and accessor of each.
 //!
-//! A name is the path of a field of [`StepRecord`] (that of a report without `report`). Header and lines of
-//! `history.csv`, the means of a history and their units all follow from this one list.
+//! A name is the path of a field of [`StepRecord`] (without `report`). Header and lines of `history.csv`, the
+//! means of a history and their units are made from this list.
 
 use crate::report::Status;
 use crate::sim::history::record::StepRecord;
 use crate::solver_id::SolverId;
 
-/// What a line calls a solver that is not one of the crate.
+/// Name in a line for any custom solver.
 const OTHER: SolverId = SolverId::Custom("other");
 
 /// One column.
 pub(in crate::sim) struct Column {
-    /// Its name, as `film.mean_central`.
+    /// Its name, such as `film.mean_central`.
     pub(in crate::sim) name: &'static str,
     /// Its unit, empty for ratios and counts.
     pub(in crate::sim) unit: &'static str,
     /// Its value in a record.
     pub(in crate::sim) get: fn(&StepRecord) -> Cell,
-    /// Puts the value that a cell holds into a record; none where it holds no such value.
+    /// Parses a cell into a record; `None` if the cell holds no such value.
     pub(in crate::sim) set: fn(&mut StepRecord, &str) -> Option<()>,
 }
 
 impl Column {
-    /// The name in a file: that of the column, the unit behind it.
+    /// The heading in a file: name and unit.
     pub(in crate::sim) fn heading(&self) -> String {
         let unit = self.unit.replace('/', "_").replace('^', "").to_lowercase();
         let name = self.name.replace('.', "_");
         if unit.is_empty() { name } else { format!("{name}_{unit}") }
     }
 
-    /// Table and key of a name with a dot.
+    /// Table and key of a name that contains a dot.
     pub(in crate::sim) fn path(&self) -> Option<(&'static str, &'static str)> {
         self.name.split_once('.')
     }
@@ -38,7 +38,7 @@ impl Column {
 
 /// The value of a cell.
 pub(in crate::sim) enum Cell {
-    /// Nothing: what is not modelled.
+    /// Empty: not modelled.
     Empty,
     /// A number.
     Number(f64),
@@ -48,7 +48,7 @@ pub(in crate::sim) enum Cell {
     Word(String),
 }
 
-/// What a cell can hold.
+/// A type that a cell can hold.
 trait Value: Sized {
     /// As a cell.
     fn cell(&self) -> Cell;

@@ -1,8 +1,7 @@
-//! What a solved contact does to the bodies under it: it flattens them, wears them and grows their
-//! tribofilms.
+//! The effect of a solved contact on the bodies: plastic indentation, wear and tribofilm growth.
 //!
-//! Pressures, stresses and temperatures are those of the contact as it was solved; a step leaves them as they
-//! are while the surfaces change. How long the nodes of each body feel them is in `exposure`.
+//! Pressures, stresses and temperatures are those of the solved contact, constant during a step. The time that
+//! the nodes of each body are exposed to them is in `exposure`.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -17,7 +16,7 @@ use crate::surface::{Offset, add_blended};
 use crate::surface_state::SurfaceState;
 use crate::tribochem::Tribofilm;
 
-/// A solved contact as the nodes of the bodies feel it, in the frame of the contact.
+/// Conditions on the bodies in a solved contact, in the frame of the contact.
 #[derive(Debug)]
 pub(in crate::sim) struct ContactExposure<'a> {
     /// The grid of the contact and of both bodies.
@@ -26,22 +25,22 @@ pub(in crate::sim) struct ContactExposure<'a> {
     pub(in crate::sim) state: &'a ContactState,
     /// Shear on the surfaces and the pressure of the solids.
     pub(in crate::sim) friction: &'a FrictionFields,
-    /// Rises of the surfaces of ball and disc above the bulk \[K\].
+    /// Temperature rises of the surfaces of ball and disc above the bulk \[K\].
     pub(in crate::sim) rises: [&'a [f64]; 2],
     /// Bulk temperature \[K\].
     pub(in crate::sim) bulk: f64,
     /// Sliding speed \[m/s\].
     pub(in crate::sim) sliding: f64,
-    /// Where the bodies lie.
+    /// Positions of the bodies.
     pub(in crate::sim) offsets: Offsets,
-    /// How their nodes age in a second, of growth and prints.
+    /// Time weights of growth and indentation on both bodies.
     pub(in crate::sim) time_weight: [TimeWeight; 2],
-    /// The same of wear.
+    /// Time weights of wear.
     pub(in crate::sim) wear_time_weight: [TimeWeight; 2],
 }
 
 impl ContactExposure<'_> {
-    /// What `body` feels at node `k` of the contact.
+    /// Surface state of `body` at node `k` of the contact.
     fn on_grid(&self, body: usize, k: usize) -> SurfaceState {
         SurfaceState {
             pressure: self.state.pressure[k],
@@ -54,8 +53,8 @@ impl ContactExposure<'_> {
         }
     }
 
-    /// What a node of a `body`, which lies where its offset says, feels: that of the node of the contact it
-    /// stands on, or, short of it by a fraction of a cell, linear between that and the one before.
+    /// Surface state at a `node` of a `body` shifted by its offset: that of the contact node above it or, for a
+    /// shift by a fraction of a cell, linear between two neighbors.
     fn on_body(&self, body: usize, node: usize) -> SurfaceState {
         let offset: Offset = self.offsets[body];
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
@@ -71,22 +70,26 @@ impl ContactExposure<'_> {
 /// Buffers on the nodes of a body.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct StepBuffers {
-    /// Plastic depth that the step leaves \[m\].
-    print: Vec<f64>,
-    /// What each node feels.
+    /// Plastic indentation by the step \[m\].
+    indentation: Vec<f64>,
+    /// Surface state of each node.
     points: Vec<SurfaceState>,
-    /// Rates of wear while they are applied \[m/s\].
+    /// Wear rates of the step \[m/s\].
     wear_rates: Vec<f64>,
 }
 
 impl StepBuffers {
-    /// Buffers for bodies of so many nodes.
+    /// Buffers for bodies of `nodes` nodes.
     pub(in crate::sim) fn new(nodes: usize) -> Self {
-        Self { print: vec![0.0; nodes], points: Vec::with_capacity(nodes), wear_rates: vec![0.0; nodes] }
+        Self {
+            indentation: vec![0.0; nodes],
+            points: Vec::with_capacity(nodes),
+            wear_rates: vec![0.0; nodes],
+        }
     }
 
-    /// Adds the print of the contact to the plastic depth of the bodies: `depths`, what each gives way \[m\],
-    /// times the share that a step of `time_step` \[s\] leaves.
+    /// Adds the plastic indentation of the contact to the plastic depth of the bodies: `depths` \[m\] of each body,
+    /// times the share of a step of `time_step` \[s\].
     pub(in crate::sim) fn flatten(
         &mut self,
         bodies: &mut [Body; 2],
@@ -96,19 +99,18 @@ impl StepBuffers {
     ) -> Result<(), InputError> {
         let (nx, ny) = (contact_exposure.grid.nx(), contact_exposure.grid.ny());
         for (index, body) in bodies.iter_mut().enumerate() {
-            self.print.fill(0.0);
-            add_blended(&depths[index], nx, ny, contact_exposure.offsets[index], &mut self.print)?;
-            let share = contact_exposure.time_weight[index].print(time_step);
-            self.print.iter_mut().for_each(|depth| *depth *= share);
-            body.plastic.add(&self.print)?;
+            self.indentation.fill(0.0);
+            add_blended(&depths[index], nx, ny, contact_exposure.offsets[index], &mut self.indentation)?;
+            let share = contact_exposure.time_weight[index].indentation_share(time_step);
+            self.indentation.iter_mut().for_each(|depth| *depth *= share);
+            body.plastic.add(&self.indentation)?;
         }
         Ok(())
     }
 
-    /// Wears the bodies and grows their films for `time_step` \[s\], and brings their surfaces up to date.
-    /// The film grows half before and half after the wear, so that the wear coefficient is that of the middle
-    /// of the step.
-    pub(in crate::sim) fn rub(
+    /// Wears the bodies and grows their films for `time_step` \[s\], and updates their surfaces. Half of the growth
+    /// precedes the wear and half follows, so that the wear coefficient is that of the middle of the step.
+    pub(in crate::sim) fn wear_and_grow(
         &mut self,
         bodies: &mut [Body; 2],
         contact_exposure: &ContactExposure<'_>,
@@ -130,7 +132,7 @@ impl StepBuffers {
                 let exposed = contact_exposure.wear_time_weight[index].rate * time_step;
                 let thickness = body.film.as_ref().map_or(body.no_film.as_slice(), Tribofilm::thickness);
                 body.wear.advance_all(law.each()[index], exposed, (points, thickness), wear_rates)?;
-                // K F u_s dt, however long the nodes are exposed
+                // worn volume K F u_s dt, independent of the exposure
                 let per_second = wear_rates.iter().sum::<f64>() * contact_exposure.grid.cell_area();
                 body.worn_volume += per_second * time_step;
             }

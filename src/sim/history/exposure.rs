@@ -1,29 +1,28 @@
-//! How long the nodes under the contact age in a step.
+//! Exposure time of the nodes under the contact in a step.
 //!
-//! A point of the track, which is `l` long, meets the contact once a round. In the middle, `y = 0`, it is in
-//! the contact of the half-width `a` for the share `2a/l` of the time, elsewhere for that of the chord. The
-//! patch of a body is a piece of the track, `L` long, whose places the contact meets equally often: in the
-//! simulation the middle is in the contact for the share `2a/L` of the steps, whatever `l` is. A node under
-//! the contact of a solve therefore ages for
+//! A point of a track of length `l` passes the contact once per revolution. On the center line, `y = 0`, it is
+//! in the contact of half-width `a` for the fraction `2a/l` of the time; elsewhere the chord takes the place of
+//! `2a`. The patch of a body is a section of the track of length `L`, and all its positions meet the contact
+//! equally often: in the simulation its center line is in the contact for the fraction `2a/L` of the steps,
+//! independent of `l`. A node in the contact of a solve is therefore exposed for
 //!
 //! | exposure | body that moves along x | that stays |
 //! |---|---|---|
 //! | contact clock | `dt L/(2a)` | `dt` |
 //! | track | `dt L/l` | `dt` at rest, else `dt 2a/l` |
 //!
-//! so that the middle of the track ages by `dt` in a step on average (contact clock), or by `dt 2a/l`
-//! (track), in a box of any length. Roughness that is met at random in both directions has `L_x L_y/(pi a b)`
-//! in place of `L/(2a)`, with the area of the contact. A body at rest relative to the contact (at a
-//! slide-roll ratio of 2 or -2) has no track: what is in the contact stays there.
+//! Averaged over the steps, the center line of the track is then exposed for `dt` per step (contact clock) or
+//! `dt 2a/l` (track), in a box of any length. For roughness at random positions in both directions,
+//! `L/(2a)` is replaced by `L_x L_y/(pi a b)`, with the area of the contact. A body at rest relative to the
+//! contact (slide-roll ratio 2 or -2) has no track: its nodes in the contact stay there.
 //!
-//! Growth takes the time of `track.exposure`, wear that of `wear.exposure`. A worn volume is that of the contact,
-//! whatever the exposure: in a step `dt` times the integral of the rate of wear, of Archard's law `K F u_s dt`.
-//! The patch holds the share `L/l` (track) or `L/(2a)` (contact clock) of it.
+//! Growth uses `track.exposure`, wear `wear.exposure`. The worn volume is that of the contact and does not
+//! depend on the exposure: in a step it is `dt` times the integral of the wear rate, with Archard's law
+//! `K F u_s dt`. The patch holds the fraction `L/l` (track) or `L/(2a)` (contact clock) of it.
 //!
-//! A print of the contact takes no time: a passage leaves one.
-//! Where a step is so short that less than one passage of a point falls to a solve at one of the places of
-//! the track, it leaves that share of its print; a body that stays, or whose passages the steps follow, takes
-//! the whole print each time.
+//! Plastic indentation does not depend on time: each passage leaves one indentation. In a step so short that a
+//! point passes less than once per solve at a track position, that fraction of the indentation is applied. A
+//! body at rest, or one whose passages are resolved by the steps, takes the full indentation each time.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -33,19 +32,18 @@ use crate::sim::scene::{self, Scene, TrackSpec};
 use crate::surface::{PointRevisit, RoughnessMotion};
 use crate::wear::track_duty_factor;
 
-/// What a step of a second does to the nodes of one body that are under the contact.
+/// Time weights of one body: effect of a step of one second on its nodes under the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::sim) struct TimeWeight {
     /// Time in the contact per second \[1\].
     pub(in crate::sim) rate: f64,
-    /// Passages that a solve stands for per second \[1/s\]; infinite where every solve leaves its whole
-    /// print.
+    /// Passages per second that a solve represents \[1/s\]; infinite if every solve applies its full indentation.
     passages: f64,
 }
 
 impl TimeWeight {
-    /// Share of the print of a solve that a step of `time_step` \[s\] leaves.
-    pub(in crate::sim) fn print(&self, time_step: f64) -> f64 {
+    /// Fraction of the plastic indentation of a solve applied in a step of `time_step` \[s\].
+    pub(in crate::sim) fn indentation_share(&self, time_step: f64) -> f64 {
         (self.passages * time_step).min(1.0)
     }
 }
@@ -53,8 +51,8 @@ impl TimeWeight {
 /// Checks the tracks of a scene under all conditions of its schedule.
 ///
 /// # Errors
-/// A track that is shorter than the patch or than the contact under the largest load, one that is missing
-/// where the exposure needs it.
+/// A track shorter than the patch or than the contact under the largest load; a missing track that the
+/// exposure needs.
 pub(in crate::sim) fn validate(
     scene: &Scene,
     operating_schedule: &OperatingSchedule,
@@ -78,9 +76,9 @@ pub(in crate::sim) fn validate(
         match radius {
             Some(radius) => {
                 let track = track_length(radius);
-                if let Some((what, length)) = lengths.into_iter().find(|(_, length)| track < *length) {
+                if let Some((part, length)) = lengths.into_iter().find(|(_, length)| track < *length) {
                     let reason = format!(
-                        "a track of {track:e} m is shorter than the {what}, which is {length:e} m long"
+                        "a track of {track:e} m is shorter than the {part}, which is {length:e} m long"
                     );
                     return Err(InputError::Conflict { field: format!("{field} = {radius:e}"), reason });
                 }
@@ -96,7 +94,7 @@ pub(in crate::sim) fn validate(
     Ok(())
 }
 
-/// The ageing of ball and disc that move at `speeds` \[m/s\] as `motion` says, on `track` under `exposure`.
+/// Time weights of ball and disc that move at `speeds` \[m/s\] by `motion`, on `track` under `exposure`.
 ///
 /// # Errors
 /// A radius that is not finite and positive.
@@ -110,7 +108,7 @@ pub(in crate::sim) fn time_weight(
     let half_chord = hertz.ellipse().half_chord_x();
     let of = |radius: Option<f64>, speed: f64| {
         let visits = visits(motion, speed);
-        // How much rarer the contact is met than if it stayed.
+        // Ratio of the patch to the part of it in the contact.
         let spread = match visits {
             PointRevisit::Permanent => 1.0,
             PointRevisit::Patch if grid.ny() > 1 => {
@@ -125,7 +123,7 @@ pub(in crate::sim) fn time_weight(
             (scene::Exposure::Track, Some(radius)) if speed != 0.0 => track_duty_factor(half_chord, radius)?,
             _ => 1.0,
         };
-        // A box within the contact cannot be met more often than always.
+        // A point of a patch smaller than the contact is always in the contact.
         let rate = share * spread.max(1.0);
         let passages = match visits {
             PointRevisit::Permanent | PointRevisit::Passing => f64::INFINITY,
@@ -136,8 +134,8 @@ pub(in crate::sim) fn time_weight(
     Ok([of(track.radius_ball, speeds[0])?, of(track.radius_disc, speeds[1])?])
 }
 
-/// Places that a body moving at `speed` \[m/s\] as `motion` says brings under the contact: at rest it stays,
-/// whatever the motion says.
+/// Revisits of points of a body that moves at `speed` \[m/s\] by `motion`. At zero speed the body stays,
+/// whatever the motion.
 pub(in crate::sim) fn visits(motion: &dyn RoughnessMotion, speed: f64) -> PointRevisit {
     if speed == 0.0 { PointRevisit::Permanent } else { motion.visits(speed) }
 }

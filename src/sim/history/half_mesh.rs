@@ -87,7 +87,7 @@ impl HalfMesh {
         self.place(placement, fine.0)?;
         let Self { scene, model, placement, yielding, state, friction, film_heat } = self;
         model.set_conditions(scene, conditions)?;
-        model.cover(&placement.films)?;
+        model.set_tribofilms(&placement.films)?;
         state.pressure.fill(0.0);
         if let Some(heat) = film_heat {
             heat.move_at(conditions.motion.surface_speeds(), &model.grid)?;

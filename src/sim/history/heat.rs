@@ -1,11 +1,10 @@
-//! The heat pass of a history: whether it is worth its time, and its plan for the speeds that hold.
+//! Flash temperature in a history: whether it is modelled, and its plan for the present speeds.
 //!
-//! Heat of friction goes into both bodies as moving sources ([`FlashTemperature`]); the rise adds to the bulk
-//! temperature that the laws of growth see. It does not act back on the oil. A film with a temperature of its
-//! own has found the rises of both surfaces already, with the heat of the same friction: they take the place
-//! of the flash temperature, each for its body, and no heat counts twice. Where the smooth contact would
-//! get warmer by less than 1 K under all conditions of the schedule, the pass is left out unless the scene
-//! asks for it.
+//! Frictional heat enters both bodies as moving sources ([`FlashTemperature`]). The rise is added to the bulk
+//! temperature in the growth laws and has no effect on the oil. A film with its own temperature includes the
+//! rises of both surfaces by the same friction: these replace the flash temperature, so that heat counts once.
+//! If the estimated rise of the smooth contact is below 1 K under all conditions of the schedule, the flash
+//! temperature is left out unless the scene requires it.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -18,31 +17,30 @@ use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 use crate::sim::scene::{Flash, Scene};
 use crate::tribochem::{FlashTemperature, ThermalBody, estimate_rise_under_flux};
 
-/// Flash temperature rise below which the heat pass is left out unless asked for \[K\].
+/// Estimated flash temperature rise below which it is left out by default \[K\].
 const NEGLIGIBLE_RISE: f64 = 1.0;
 
-/// The heat pass.
+/// The flash temperature of a history.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct Heat {
     /// Whether the rises are modelled.
     pub(in crate::sim) is_modelled: bool,
-    /// What finds them; none where they are not modelled and where those of the film take their place.
+    /// The plan; `None` if rises are not modelled or are those of the film temperature.
     flash: Option<FlashTemperature>,
-    /// Estimate of the largest rise under the conditions at the entries of the schedule \[K\].
+    /// Estimate of the largest rise over the entries of the schedule \[K\].
     pub(in crate::sim) estimate: f64,
     /// Conductivity and diffusivity of ball and disc.
     bodies: [ThermalBody; 2],
-    /// Speeds that the plan is made for \[m/s\].
+    /// Speeds of the plan \[m/s\].
     speeds: [f64; 2],
-    /// Heat of friction at every node of the contact \[W/m^2\].
+    /// Frictional heat at every node of the contact \[W/m^2\].
     sources: Vec<f64>,
     /// Rise of the surfaces of ball and disc at every node \[K\].
     rises: [Vec<f64>; 2],
 }
 
 impl Heat {
-    /// The pass for the conditions at the start, left out where it is switched off or its estimate is
-    /// negligible.
+    /// The flash temperature for the initial conditions, left out if switched off or negligible by its estimate.
     pub(in crate::sim) fn new(
         scene: &Scene,
         contact: &ContactModel,
@@ -60,15 +58,15 @@ impl Heat {
             Flash::Auto => estimate >= NEGLIGIBLE_RISE,
         };
         let speeds = operating_schedule.at(0.0).motion.surface_speeds();
-        let needed = is_modelled && !film_heat::is_asked(scene);
+        let needed = is_modelled && !film_heat::is_modelled(scene);
         let flash = if needed { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
         let zeros = || vec![0.0; contact.grid.len()];
         Ok(Self { is_modelled, flash, estimate, bodies, speeds, sources: zeros(), rises: [zeros(), zeros()] })
     }
 
-    /// Rises of the surfaces under the heat of `friction`, those of a film with a temperature of its own where
-    /// there is one; returns the largest \[K\], none where they are not modelled.
-    pub(in crate::sim) fn rub(
+    /// Updates the rises of the surfaces by the heat of `friction`, or from the temperature of the film if it is
+    /// modelled. Returns the largest rise \[K\]; `None` if not modelled.
+    pub(in crate::sim) fn update(
         &mut self,
         friction: &FrictionFields,
         film: Option<&FilmIteration>,
@@ -89,13 +87,12 @@ impl Heat {
         Ok(Some(maximum))
     }
 
-    /// Rises of the surfaces of ball and disc at every node of the contact \[K\]; zeros where they are not
-    /// modelled.
+    /// Rises of the surfaces of ball and disc at every node of the contact \[K\]; zero if not modelled.
     pub(in crate::sim) fn rises(&self) -> [&[f64]; 2] {
         [&self.rises[0], &self.rises[1]]
     }
 
-    /// Plans anew where the surfaces move at other `speeds` \[m/s\] than before.
+    /// Makes a new plan if the `speeds` \[m/s\] have changed.
     pub(in crate::sim) fn move_at(&mut self, speeds: [f64; 2], grid: &Grid) -> Result<(), InputError> {
         if let Some(flash) = &mut self.flash
             && speeds.map(f64::to_bits) != self.speeds.map(f64::to_bits)
@@ -107,9 +104,9 @@ impl Heat {
     }
 }
 
-/// Largest rise \[K\] of the smooth contact, all of its load on solids or all of it on a fluid film of the
-/// thickness that the formulas give, whichever is hotter: that of a circle under the mean flux, whose radius
-/// is the geometric mean of the half-widths, or the half-width of a line contact.
+/// Largest rise \[K\] of the smooth contact. The full load is carried by solids or by a fluid film of the
+/// thickness by formula, whichever is hotter. It is that of a circle under the mean flux; its radius is the
+/// geometric mean of the half-widths, or the half-width of a line contact.
 fn estimated_rise(
     scene: &Scene,
     contact: &ContactModel,
@@ -120,7 +117,7 @@ fn estimated_rise(
     let (motion, mean) = (conditions.motion, hertz.force / hertz.area);
     let (sliding, speeds) = (motion.sliding_speed(), motion.surface_speeds());
     let full = laws.growth.as_ref().map_or(0.0, |law| law.maximum_thickness());
-    // Bare or covered.
+    // Bare surfaces and full tribofilm.
     let coefficient = [0.0, full].map(|film| laws.friction.coefficient(mean, sliding, [film; 2]));
     let coefficient = coefficient[0].max(coefficient[1]);
     InputError::require_non_negative("boundary friction of the law", coefficient)?;

@@ -1,18 +1,17 @@
-//! What a history ends with: means over its last tenth, under the names that JSON, terminal and Python share.
+//! Means over the last tenth of a history, with the same names in JSON, terminal and Python.
 //!
-//! The last tenth of the steps is taken, one step at least. What is a number of the contact or of the bodies has
-//! a mean: the columns with a table, but for the conditions and what the solves took. Worn volumes are those after
-//! the last step.
+//! The last tenth of the steps counts, at least one step. Columns of the contact and of the bodies have a mean;
+//! conditions and solver columns do not. Worn volumes are those after the last step.
 
 use std::fmt;
 
 use crate::sim::history::columns::{COLUMNS, Cell, Column};
 use crate::sim::history::record::StepRecord;
 
-/// Tables whose means say nothing.
+/// Tables without means.
 const WITHOUT_MEANS: [&str; 3] = ["motion", "residual", "work"];
 
-/// Columns that are totals of the whole history.
+/// Columns that accumulate over the history.
 const TOTALS: [&str; 2] = ["wear.ball_volume", "wear.disc_volume"];
 
 /// The columns that have means.
@@ -30,25 +29,25 @@ fn averaged() -> impl Iterator<Item = &'static Column> {
 /// let records = [sim.step(10.0)?, sim.step(10.0)?];
 /// records.iter().for_each(|record| means.see(record));
 /// assert_eq!(means.mean("contact", "load_ratio"), Some(records[1].contact.load_ratio));
-/// assert_eq!(HistoryMeans::new(2).mean("contact", "load_ratio"), None); // nothing was seen
+/// assert_eq!(HistoryMeans::new(2).mean("contact", "load_ratio"), None); // no step yet
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct HistoryMeans {
-    /// Steps of the whole history.
+    /// Number of steps of the history.
     steps: u64,
-    /// Sums over the steps that count, of each column that has means; none where a step has no such number.
+    /// Sums over the counted steps, for each column that has a mean; `None` if a step has no value.
     sums: Vec<Option<f64>>,
-    /// Steps that count, so far.
+    /// Number of counted steps so far.
     count: u64,
-    /// Steps whose contact took more than one position of the roughness.
+    /// Number of steps that needed more than one position of the roughness.
     moved: u64,
     /// Load times sliding distance \[N m\].
     load_distance: f64,
 }
 
 impl HistoryMeans {
-    /// Of a history of `steps` steps, none of which was seen yet.
+    /// Means of a history of `steps` steps, before its first step.
     pub fn new(steps: u64) -> Self {
         Self { steps, sums: averaged().map(|_| Some(0.0)).collect(), count: 0, moved: 0, load_distance: 0.0 }
     }
@@ -70,13 +69,13 @@ impl HistoryMeans {
         }
     }
 
-    /// The mean of `key` in `table` (as in `film.lambda`) over the steps of the last tenth that were seen, of
-    /// worn volumes that after the last step, in SI units; none for other names, and for what is not modelled.
+    /// The mean of `key` in `table` (`film.lambda`) over the counted steps, in SI units; for worn volumes the value
+    /// after the last step. `None` for other names and for physics not modelled.
     pub fn mean(&self, table: &str, key: &str) -> Option<f64> {
         self.named().find(|(column, _)| column.path() == Some((table, key))).map(|(_, mean)| mean)
     }
 
-    /// Columns with their means, but for those that a step has left empty; none before any step counts.
+    /// Columns and their means, without columns that were empty in a step.
     fn named(&self) -> impl Iterator<Item = (&'static Column, f64)> {
         let count = self.count;
         let counted = averaged().zip(&self.sums).filter(move |_| count > 0);
@@ -88,7 +87,7 @@ impl HistoryMeans {
 }
 
 impl fmt::Display for HistoryMeans {
-    /// One line a number, with its unit; worn volumes in mm^3, and per load and sliding distance in mm^3/(N m).
+    /// One line per result, with its unit. Worn volumes are in mm^3, and in mm^3/(N m) per load and distance.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, (Column { name, unit, .. }, mean)) in self.named().enumerate() {
             let end = if index == 0 { "" } else { "\n" };
@@ -117,8 +116,7 @@ mod named {
     use crate::sim::history::simulation::MixedLubricationSim;
     use crate::sim::scene::BODIES;
 
-    /// What a history ends with, ready to be written: the means and the worn profiles of `sim`, all in SI
-    /// units.
+    /// Final results of a history, ready for output: the means and the worn profiles of `sim`, in SI units.
     #[derive(Debug, Clone, Serialize)]
     pub struct HistoryNumbers {
         steps: u64,
@@ -140,7 +138,7 @@ mod named {
     }
 
     impl HistoryMeans {
-        /// The numbers of the history that `sim` has run, under their names in `docs/running.md`.
+        /// The results of the history of `sim`, with the names in `docs/running.md`.
         pub fn numbers(&self, sim: &MixedLubricationSim) -> HistoryNumbers {
             let mut tables: BTreeMap<_, BTreeMap<_, _>> = BTreeMap::new();
             for (column, mean) in self.named() {

@@ -1,9 +1,9 @@
-//! What tells one simulation from another.
+//! Identity of a simulation, to compare a checkpoint with the simulation that restores it.
 //!
-//! A checkpoint carries the identity of its run; one that resumes compares them part by part and names what
-//! differs. Scenes are compared as files with all defaults, own laws by what `Debug` prints, own bodies and
-//! solvers by what they do and are called. [`CONDITIONS`] lists what may differ where a run goes on under
-//! other conditions.
+//! A checkpoint holds the identity of its run. A simulation that resumes compares it part by part and names the
+//! parts that differ. Scenes are compared as files with all defaults, custom laws by their `Debug` output,
+//! custom elastic bodies by their response and solvers by their name. [`CONDITIONS`] lists the parts that may
+//! differ under other conditions.
 
 use toml::{Table, Value};
 
@@ -13,7 +13,7 @@ use crate::sim::history::builder::SimBuilder;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::scene::{GridSpec, Scene};
 
-/// Parts that act on the bodies from outside: a run may go on under others.
+/// Parts that a run may change when it continues under other conditions.
 pub(in crate::sim) const CONDITIONS: [&str; 11] = [
     "scene.load",
     "scene.motion",
@@ -27,19 +27,19 @@ pub(in crate::sim) const CONDITIONS: [&str; 11] = [
     "density law",
     "solver",
 ];
-/// Of the description below.
+/// Version of this description.
 const VERSION: u32 = 1;
-/// What a part is called that follows from the scene.
+/// Description of a part that follows from the scene.
 const OF_SCENE: &str = "of the scene";
 
-/// A run in words: its scene as a scene file, and what was put in place of parts of the scene.
+/// Description of a run: its scene as a scene file, and the custom components.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub(in crate::sim) struct Identity {
-    /// Of this description.
+    /// Version of this description.
     version: u32,
     /// The scene as a file.
     scene: String,
-    /// What else a run depends on: name and words.
+    /// Other parts that a run depends on: name and description.
     parts: Vec<(String, String)>,
 }
 
@@ -49,7 +49,7 @@ impl Identity {
         Scene::from_toml(&self.scene).ok().map(|scene| scene.grid)
     }
 
-    /// The parts in which both differ.
+    /// Names of the parts that differ.
     pub(in crate::sim) fn differences(&self, other: &Self) -> Vec<String> {
         if self.version != other.version {
             return vec!["description".to_owned()];
@@ -64,22 +64,22 @@ impl Identity {
     }
 }
 
-/// The tables of a scene file with all defaults of this version, so that keys which an earlier one did not
-/// know make no difference; the bare text where the scene is none of this version.
+/// The tables of a scene file with all defaults of this version, so that keys unknown to an earlier version make
+/// no difference; the plain text if this version cannot read the scene.
 fn tables(scene: &str) -> Table {
     let full = Scene::from_toml(scene).and_then(|scene| scene.to_toml());
     let text = full.as_deref().unwrap_or(scene);
     text.parse().unwrap_or_else(|_| Table::from_iter([("file".to_owned(), Value::from(text))]))
 }
 
-/// What was put in place of parts of the scene, by what `Debug` prints of it.
+/// Custom components by their `Debug` output.
 #[derive(Debug, Default, Clone)]
-pub(in crate::sim) struct OwnParts(Vec<(&'static str, String)>);
+pub(in crate::sim) struct CustomIdentity(Vec<(&'static str, String)>);
 
-impl OwnParts {
-    /// Those of a builder whose laws have not been taken yet.
+impl CustomIdentity {
+    /// The custom components of a builder; call it before they are moved out.
     pub(in crate::sim) fn of(builder: &SimBuilder) -> Self {
-        let own = &builder.custom;
+        let custom = &builder.custom;
         let words = |part: Option<&dyn std::fmt::Debug>| {
             part.map_or_else(|| OF_SCENE.to_owned(), |part| format!("{part:?}"))
         };
@@ -89,33 +89,33 @@ impl OwnParts {
             ("plasticity model", words(builder.plasticity.as_ref().map(|part| part as _))),
             ("wear law", words(builder.wear.as_ref().map(|part| part as _))),
             ("boundary friction", words(builder.friction.as_ref().map(|part| part as _))),
-            ("viscosity law", words(own.viscosity.as_ref().map(|part| part as _))),
-            ("density law", words(own.density.as_ref().map(|part| part as _))),
+            ("viscosity law", words(custom.viscosity.as_ref().map(|part| part as _))),
+            ("density law", words(custom.density.as_ref().map(|part| part as _))),
         ])
     }
 }
 
 impl MixedLubricationSim {
-    /// The same with parts put in place of those of the scene.
-    pub(in crate::sim) fn with_own_parts(mut self, own_parts: OwnParts) -> Self {
-        self.own_parts = own_parts;
+    /// The identity with custom components.
+    pub(in crate::sim) fn with_custom_identity(mut self, custom_identity: CustomIdentity) -> Self {
+        self.custom_identity = custom_identity;
         self
     }
 
-    /// The scene as a file, and the parts in its place.
+    /// The scene as a file, and the custom components.
     ///
     /// # Errors
-    /// A scene that no file can hold.
+    /// A scene that cannot be written to a file.
     pub(in crate::sim) fn identity(&self) -> Result<Identity, SimError> {
         let bodies = self.contact.deformation.bodies();
         let influence = [0, 1, NEAR].map(|di| format!("{:e}", bodies.influence(di, 0)));
         let others = [
             ("squeeze", self.surface_motion.squeeze.to_string()),
             ("solver", self.contact.solver.id().to_string()),
-            // By what it does: buffers may show in `Debug`.
+            // Compared by its response: the `Debug` output may contain buffers.
             ("deformation model", influence.join(" ")),
         ];
-        let parts = self.own_parts.0.iter().map(|(name, words)| (*name, words.clone())).chain(others);
+        let parts = self.custom_identity.0.iter().map(|(name, words)| (*name, words.clone())).chain(others);
         Ok(Identity {
             version: VERSION,
             scene: self.scene.to_toml()?,
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_file_does_not_say_is_the_default() {
+    fn missing_keys_of_an_older_scene_equal_their_defaults() {
         let full = Scene::azam_2019(32).to_toml().unwrap_or_default();
         let short = full.replace("max_iterations = 20000\n", "");
         assert!(short.len() < full.len());
@@ -142,7 +142,7 @@ mod tests {
         assert_eq!(identity(&full).differences(&identity(&other)), ["scene.solver"]);
         let later = Identity { version: VERSION + 1, ..identity(&full) };
         assert_eq!(identity(&full).differences(&later), ["description"]);
-        // Scenes that are none are compared as they stand.
+        // Text that is not a scene is compared as it is.
         assert_eq!(identity("a = 1").differences(&identity("a = 2")), ["scene.a"]);
     }
 }

@@ -1,4 +1,4 @@
-//! Histories: bodies that flatten, wear and grow tribofilms under a contact that is solved once a step.
+//! Histories: bodies that yield, wear and grow tribofilms, with one contact solve per step.
 //!
 //! ```text
 //! builder ──> simulation: placement ──> contact ──> passage (flatten, wear, grow) ──> record

@@ -1,14 +1,14 @@
-//! Watching a run.
+//! Observers of a run.
 //!
-//! Files, progress bars and conditions to stop are observers; the run itself writes nothing. An observer sees
-//! the simulation after the step and cannot change it.
+//! Files, progress bars and stop conditions are observers; the run itself writes nothing. An observer gets the
+//! simulation after each step and cannot change it.
 
 use std::ops::ControlFlow;
 
 use crate::sim::history::record::StepRecord;
 use crate::sim::history::simulation::MixedLubricationSim;
 
-/// Sees every committed step and may stop the run.
+/// Called after every committed step; may stop the run.
 ///
 /// Closures `FnMut(&MixedLubricationSim, &StepRecord) -> ControlFlow<()>` are observers.
 ///
@@ -17,7 +17,7 @@ use crate::sim::history::simulation::MixedLubricationSim;
 /// ```
 /// use std::ops::ControlFlow;
 /// use stribeck::sim::{MixedLubricationSim, Observer, RunEnd, Scene, StepRecord};
-/// /// Stops a run once the disc has lost a nanometre somewhere.
+/// /// Stops the run when the disc is worn by a nanometre somewhere.
 /// struct UntilWorn;
 /// impl Observer for UntilWorn {
 ///     fn after_step(&mut self, _sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {

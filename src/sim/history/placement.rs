@@ -1,8 +1,8 @@
-//! How both bodies lie opposite each other: where the roughness stands, and the fields of the contact there.
+//! Relative position of the bodies: offsets of the roughness, and the fields of the contact there.
 //!
-//! Both bodies are periodic patches of the size of the grid. An [`Offset`] says by how many cells and what
-//! fraction of one a patch is shifted against the contact; the gap of the undeformed bodies is
-//! `form - ball - disc` with the heights of both where they then are.
+//! Both bodies are periodic patches of the size of the grid. An [`Offset`] is the shift of a patch against the
+//! contact in cells and a fraction of a cell. The gap of the undeformed bodies is `form - ball - disc`, with
+//! both heights shifted.
 
 use std::sync::Arc;
 
@@ -11,21 +11,21 @@ use crate::grid::Grid;
 use crate::sim::history::body::Body;
 use crate::surface::{FourierShift, Offset, RoughnessMotion, blend_shifted, copy_shifted};
 
-/// Where the roughness of ball and disc stands.
+/// Offsets of the roughness of ball and disc.
 pub(in crate::sim) type Offsets = [Offset; 2];
 
-/// How the contact moves on from step to step.
+/// Motion of the surfaces between steps.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct SurfaceMotion {
-    /// Where the roughness goes.
+    /// Motion of the roughness.
     pub(in crate::sim) motion: Arc<dyn RoughnessMotion>,
-    /// Whether a contact feels the squeeze of the film before it.
+    /// Whether the film has a squeeze term.
     pub(in crate::sim) squeeze: bool,
 }
 
 impl SurfaceMotion {
-    /// Where the roughness stands, within the patch, at the time `time` \[s\] after `draws` positions that
-    /// were tried, with bodies whose mean speeds since the start are `speeds` \[m/s\].
+    /// Offsets of the roughness within the patch at the time `time` \[s\], after `draws` random positions, with
+    /// bodies whose mean speeds since the start are `speeds` \[m/s\].
     pub(in crate::sim) fn offsets(
         &self,
         draws: u64,
@@ -50,9 +50,9 @@ pub(in crate::sim) struct Placement {
     grid: Grid,
     /// Shifts heights by less than a cell.
     between_nodes: FourierShift,
-    /// Heights of the body that is being placed \[m\].
+    /// Heights of the body being placed \[m\].
     heights: Vec<f64>,
-    /// Distance of the undeformed bodies: form less the heights of both \[m\].
+    /// Gap of the undeformed bodies \[m\]: form minus the heights of both.
     pub(in crate::sim) gap: Vec<f64>,
     /// Tribofilms \[m\].
     pub(in crate::sim) films: [Vec<f64>; 2],
@@ -75,9 +75,9 @@ impl Placement {
         }
     }
 
-    /// Overwrites the fields with those of `bodies` as they lie at `offsets` around the gap `form` \[m\] of
-    /// their smooth shapes. Heights between nodes are those of the Fourier series, films and depths are
-    /// linear, so that neither goes below zero.
+    /// Overwrites the fields with those of `bodies` at `offsets`; `form` \[m\] is the gap of the smooth bodies.
+    /// Heights between nodes are interpolated by Fourier series, films and depths linearly, so that they stay
+    /// non-negative.
     pub(in crate::sim) fn place(
         &mut self,
         bodies: &[Body; 2],

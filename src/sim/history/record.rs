@@ -1,7 +1,7 @@
 //! One row of a history.
 //!
-//! A new number is a field and one of the `COLUMNS`, and a line in `docs/output.md`; where it gets its value is
-//! `MixedLubricationSim::record`. Records are read back to the last bit, which resuming rests on.
+//! A new column needs a field, an entry in `COLUMNS`, a value in `MixedLubricationSim::record` and a line in
+//! `docs/output.md`. Records are read back exactly, which resuming depends on.
 
 use std::io::{self, Write};
 
@@ -17,13 +17,13 @@ use crate::sim::history::columns::{COLUMNS, Cell, Column};
 use crate::sim::scene::Motion;
 use crate::solver_id::SolverId;
 
-/// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction,
-/// heat) are of one instant, the start of the step, under the conditions that held then: the contact of the
-/// first record is that of time zero. Wear, tribofilm and flattened volume are those at its end.
+/// Results of one committed step, in SI units. Roughness, film, pressures, friction and heat are those of the
+/// contact at the start of the step: the contact of the first record is that of time zero. Wear, tribofilm
+/// and plastic volume are those at its end.
 ///
 /// # Examples
 ///
-/// A line of `history.csv` is the record again, but for what the line does not hold:
+/// A line of `history.csv` contains the record except its strategy and residual history:
 ///
 /// ```
 /// use stribeck::sim::{MixedLubricationSim, Scene, StepRecord};
@@ -52,7 +52,7 @@ pub struct StepRecord {
     pub motion: Motion,
     /// Bulk temperature \[K\].
     pub bulk_temperature: f64,
-    /// Roughness on the track, as the bodies met in the contact.
+    /// Roughness on the track, as placed in the contact.
     pub roughness: RoughnessNumbers,
     /// Film thickness.
     pub film: FilmNumbers,
@@ -62,26 +62,26 @@ pub struct StepRecord {
     pub contact: ContactNumbers,
     /// Friction over load.
     pub friction: FrictionNumbers,
-    /// What flows into the box and out of it; none without lubricant.
+    /// Flow balance of the box; `None` without lubricant.
     pub flow: Option<FlowBalance>,
-    /// Temperature of the film; none where it has that of the bulk.
+    /// Temperature of the film; `None` for an isothermal film.
     pub thermal: Option<ThermalNumbers>,
-    /// Largest flash temperature rise, of a film with a temperature of its own the largest rise of a surface
-    /// \[K\]; none where it is not modelled.
+    /// Largest flash temperature rise, or largest surface rise of a film with its own temperature \[K\]; `None`
+    /// if not modelled.
     pub flash_rise: Option<f64>,
     /// Worn depth and volume.
     pub wear: WearNumbers,
     /// Thickness of the tribofilms.
     pub tribofilm: DepthNumbers,
-    /// What was flattened.
+    /// Plastic depth and volume.
     pub plastic: PlasticNumbers,
     /// Estimated errors of the numbers of the contact; none where the scene does not ask for them
     /// ([`estimate`](crate::sim::scene::SolverSpec::estimate)), with squeeze, and where the contact on half the cells was
     /// not solved.
     pub error_estimate: Option<ErrorEstimate>,
-    /// Positions of the roughness that were tried before the contact converged.
+    /// Number of roughness positions tried until the contact converged.
     pub attempts: u32,
-    /// The solve. One that was read from `history.csv` tells neither its strategy nor the residuals of its steps.
+    /// Report of the solve. Without strategy and residual history if read from `history.csv`.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub report: SolveReport,
 }
@@ -97,14 +97,14 @@ impl StepRecord {
         COLUMNS.iter().map(|column| (column.name, column.unit))
     }
 
-    /// The first line of `history.csv`: names of the columns that [`StepRecord::write_csv`] writes, each the
-    /// path of a field with its unit behind it.
+    /// The first line of `history.csv`: names and units of the columns of [`StepRecord::write_csv`]. A name is the
+    /// path of its field.
     pub fn csv_header() -> String {
         COLUMNS.iter().map(Column::heading).collect::<Vec<_>>().join(",")
     }
 
-    /// Writes the record as one line of comma-separated values, every digit kept; what is not modelled is an
-    /// empty cell.
+    /// Writes the record as one line of comma-separated values with all digits. Cells of physics not modelled are
+    /// empty.
     ///
     /// # Errors
     /// Those of the writer.
@@ -121,12 +121,11 @@ impl StepRecord {
         writeln!(out)
     }
 
-    /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a
-    /// solver that is not one of the crate, which reads `other`, and the way and the residuals of the steps
-    /// of the solve, which a line does not hold.
+    /// Reads the record from a `line` of [`write_csv`](Self::write_csv), exactly. A line does not hold the name of
+    /// a custom solver, which becomes `other`, nor the strategy and the residual history of the solve.
     ///
     /// # Errors
-    /// A cell that is missing, too many or not what its column holds.
+    /// A missing or extra cell, or one whose text does not fit its column.
     pub fn from_csv(line: &str) -> Result<Self, InputError> {
         let mut record = Self::blank();
         let mut cells = line.trim_end().split(',');
@@ -142,7 +141,7 @@ impl StepRecord {
         }
     }
 
-    /// A record that nothing was put into yet.
+    /// An empty record.
     fn blank() -> Self {
         Self {
             step: 0,
@@ -169,7 +168,7 @@ impl StepRecord {
     }
 }
 
-/// The error for a cell that does not hold what its column does.
+/// The error for a cell whose text does not fit its column.
 fn unreadable(column: &str, cell: &str) -> InputError {
     InputError::Conflict { field: column.to_owned(), reason: format!("`{cell}` is no value of this column") }
 }

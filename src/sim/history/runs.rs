@@ -1,7 +1,7 @@
-//! Many steps in a row, seen by an observer.
+//! Many steps in sequence, with an observer.
 //!
-//! A fixed number of steps of one length, or steps that are as long as wear and growth allow up to a time.
-//! Each step is committed before the observer sees it; what stops a run early leaves the steps before it.
+//! A run has a fixed number of equal steps, or steps as long as wear and growth allow up to a final time. Each
+//! step is committed before the observer is called; the steps before an early stop are kept.
 
 use std::ops::ControlFlow;
 
@@ -11,9 +11,9 @@ use crate::sim::history::observer::Observer;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::step_control::StepControl;
 
-/// Share of a step by which sums of steps may miss the end of a run: they are rounded.
+/// Tolerance of the end of a run, as a fraction of a step: sums of steps are rounded.
 const ROUNDING: f64 = 1e-9;
-/// Requirement on a step that changes the time up to the end of a run.
+/// Requirement on a step that is not negligible against the end time.
 const TOO_SHORT: &str = "longer than the rounding of the end time, else no step changes the time";
 
 /// How a run ended.
@@ -38,10 +38,10 @@ pub enum RunEnd {
 }
 
 impl MixedLubricationSim {
-    /// Takes `steps` steps of `time_step` \[s\]; `observer` sees each and may stop the run.
+    /// Takes `steps` steps of `time_step` \[s\]. `observer` is called after each and may stop the run.
     ///
     /// # Errors
-    /// See [`MixedLubricationSim::step`]; the steps before are committed.
+    /// See [`MixedLubricationSim::step`]; earlier steps remain committed.
     pub fn run(
         &mut self,
         steps: u64,
@@ -57,11 +57,11 @@ impl MixedLubricationSim {
         Ok(RunEnd::Finished)
     }
 
-    /// Steps until the time `end` \[s\], each as long as `control` allows and none across an entry of a
-    /// schedule; `observer` sees each and may stop the run.
+    /// Takes steps until the time `end` \[s\], each as long as `control` allows and none across an entry of a
+    /// schedule. `observer` is called after each and may stop the run.
     ///
     /// # Errors
-    /// See [`MixedLubricationSim::step_within`]; the steps before are committed.
+    /// See [`MixedLubricationSim::step_within`]; earlier steps remain committed.
     pub fn run_until(
         &mut self,
         end: f64,
@@ -76,7 +76,7 @@ impl MixedLubricationSim {
         while end - self.time > rounding {
             let left =
                 self.operating_schedule.next_entry(self.time).map_or(end, |entry| entry.min(end)) - self.time;
-            // A run that is continued takes the steps of one that was not stopped.
+            // A continued run takes the same steps as an uninterrupted one.
             let whole = left >= control.longest - rounding;
             let longest = if whole { control.longest } else { left };
             let record = self.step_within(&StepControl { longest, ..*control })?;
@@ -87,8 +87,8 @@ impl MixedLubricationSim {
         Ok(RunEnd::Finished)
     }
 
-    /// Number of steps that [`run_until`](Self::run_until) takes to `end` \[s\] where none is longer than
-    /// `longest` \[s\] and no depth shortens them.
+    /// Number of steps that [`run_until`](Self::run_until) takes to `end` \[s\] if none is longer than `longest`
+    /// \[s\] and no change of depth shortens them.
     ///
     /// ```
     /// use stribeck::sim::{MixedLubricationSim, Scene};

@@ -1,16 +1,16 @@
-//! The history of a contact: solve, grow, wear, flatten, move on.
+//! The history of a contact: solve, flatten, grow, wear, move.
 //!
 //! One step, in this order:
 //!
 //! 1. conditions: load, speeds and temperature at the start of the step;
-//! 2. solve: the bodies at the next position of the roughness, at further ones where that does not converge,
-//!    with friction and, where the film has one, its temperature;
-//! 3. rub: flash temperature under the solved pressures;
-//! 4. commit: flattening, half of the film growth, wear, the other half; a shorter step where a node changes by
-//!    more than it may;
-//! 5. record, and the masses that the squeeze of the next contact refers to.
+//! 2. solve: the bodies at the next position of the roughness, at further ones if that does not converge,
+//!    with friction and, if modelled, the film temperature;
+//! 3. flash temperature under the solved pressures;
+//! 4. commit: flattening, half of the film growth, wear, the other half; the step is shortened if a node
+//!    changes by more than the bound;
+//! 5. record, and the masses for the squeeze term of the next contact.
 //!
-//! Bodies change in 4 alone, and only after 2 has converged; an error puts everything back.
+//! Bodies change in 4 only, and only if 2 has converged; an error restores the previous state.
 
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
@@ -39,19 +39,18 @@ use crate::sim::history::yielding::Yielding;
 use crate::sim::scene::Scene;
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 
-/// Positions of the roughness that a step tries before it gives up.
+/// Most positions of the roughness tried in a step.
 const MAX_ATTEMPTS: u32 = 8;
-/// Attempts to find the length of a step.
+/// Most reductions of the length of a step.
 const MAX_CUTS: usize = 40;
 
-/// A rough lubricated contact whose surfaces flatten, grow a tribofilm and wear as they rub.
+/// A rough lubricated contact whose surfaces yield, grow a tribofilm and wear in sliding.
 ///
-/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear under
-/// its pressures for the time that the step exposes the nodes to it ([`Exposure`](crate::sim::scene::Exposure)),
-/// applies the plastic depth, and moves the roughness of both bodies to the next position. One solve stands
-/// for all passages within the step. Nothing irreversible happens unless the solve converged: where it did
-/// not, the step tries other positions of the roughness, and if all fail the step is an error and the state
-/// is as before.
+/// Each step solves the quasi-static contact of the present surfaces. Tribofilm and wear advance under its
+/// pressures for the exposure time of the nodes ([`Exposure`](crate::sim::scene::Exposure)), the plastic depth
+/// is added, and the roughness of both bodies moves to its next position. One solve represents all passages
+/// within the step. Irreversible changes need a converged solve: if it does not converge, the step tries other
+/// positions of the roughness; if all fail, the step is an error and the state is unchanged.
 ///
 /// ```
 /// use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, StepRecord};
@@ -68,8 +67,8 @@ const MAX_CUTS: usize = 40;
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 ///
-/// A clone goes its own way from where the original stands, step by step to the last bit as the original
-/// would. Laws are shared, buffers are not; the buffers of the solver are made anew at its first solve.
+/// Clones are independent and continue exactly as the original would. They share laws but no buffers; the
+/// solver allocates its buffers again at its first solve.
 ///
 /// ```
 /// use stribeck::sim::{MixedLubricationSim, Scene};
@@ -82,15 +81,15 @@ const MAX_CUTS: usize = 40;
 /// ```
 #[derive(Debug, Clone)]
 pub struct MixedLubricationSim {
-    /// The scene that it was built from.
+    /// The scene it was built from.
     pub(in crate::sim) scene: Scene,
     /// Conditions over time.
     pub(in crate::sim) operating_schedule: OperatingSchedule,
     /// The contact problem with its solver.
     pub(in crate::sim) contact: ContactModel,
-    /// What flattens, wears, grows and rubs.
+    /// Laws of plasticity, wear, growth and friction.
     pub(in crate::sim) laws: Laws,
-    /// Flash temperature of the contact in progress.
+    /// Flash temperature of the present contact.
     pub(in crate::sim) heat: Heat,
     /// Motion of the roughness and squeeze.
     pub(in crate::sim) surface_motion: SurfaceMotion,
@@ -98,45 +97,45 @@ pub struct MixedLubricationSim {
     pub(in crate::sim) bodies: [Body; 2],
     /// Solution of the last step.
     pub(in crate::sim) state: ContactState,
-    /// What the solver of the first step starts from; none for a cold start.
+    /// Start of the first solve; `None` for a cold start.
     pub(in crate::sim) contact_start: Option<ContactState>,
     /// Masses of the last two contacts.
     pub(in crate::sim) squeeze_memory: SqueezeMemory,
-    /// Time that has passed \[s\].
+    /// Simulated time \[s\].
     pub(in crate::sim) time: f64,
-    /// Steps that were committed.
+    /// Number of committed steps.
     pub(in crate::sim) step: u64,
-    /// Positions of the roughness that were tried; with the seed the state of the random numbers.
+    /// Number of roughness positions tried; with the seed, the state of the random generator.
     pub(in crate::sim) draws: u64,
-    /// The bodies as they lie in the step in progress, and what follows from its contact.
+    /// Bodies at their positions in the present step.
     pub(in crate::sim) placement: Placement,
     /// Pressure limit and flattening.
     pub(in crate::sim) yielding: Yielding,
     /// Shear stresses.
     pub(in crate::sim) friction: FrictionFields,
-    /// Temperature of the film; none where it has that of the bulk.
+    /// Temperature of the film; `None` for an isothermal film.
     pub(in crate::sim) film_heat: Option<FilmIteration>,
     /// The contact on half the cells; none where the scene asks for no errors.
     pub(in crate::sim) half_mesh: Option<Box<HalfMesh>>,
     /// Buffers on the nodes of a body.
     buffers: StepBuffers,
-    /// Mass that the squeeze refers to.
+    /// Mass of the squeeze term.
     squeezed: Vec<f64>,
-    /// The bodies before the step in progress.
+    /// The bodies before the present step.
     pub(in crate::sim) backup: [Body; 2],
-    /// The contact before the step in progress.
+    /// The contact before the present step.
     before: ContactState,
-    /// What was found unlikely so far.
+    /// Warnings so far.
     pub(in crate::sim) warnings: Vec<Warning>,
-    /// Ends solves early, in a wider box too.
+    /// Interrupt of solves, also in a wider box.
     pub(in crate::sim) interrupt: Option<Interrupt>,
-    /// What was put in place of parts of the scene.
+    /// Custom components.
     #[cfg(feature = "serde")]
-    pub(in crate::sim) own_parts: crate::sim::history::identity::OwnParts,
+    pub(in crate::sim) custom_identity: crate::sim::history::identity::CustomIdentity,
 }
 
 impl MixedLubricationSim {
-    /// A simulation at the time zero of what its builder has made.
+    /// A simulation at time zero from the parts of its builder.
     pub(in crate::sim) fn assemble(
         (scene, operating_schedule, warnings): (Scene, OperatingSchedule, Vec<Warning>),
         contact: ContactModel,
@@ -172,26 +171,26 @@ impl MixedLubricationSim {
             warnings,
             interrupt: None,
             #[cfg(feature = "serde")]
-            own_parts: crate::sim::history::identity::OwnParts::default(),
+            custom_identity: crate::sim::history::identity::CustomIdentity::default(),
         })
     }
 
-    /// Takes one step of `time_step` \[s\] under the conditions that hold at its start.
+    /// Takes one step of `time_step` \[s\] under the conditions at its start.
     ///
     /// # Errors
-    /// A time step that is not finite and positive; a contact that did not converge at any tried position of
-    /// the roughness; solids, wear or a tribofilm at the edge of a box that does not grow; a law that returned a value that is not finite; an
-    /// [interrupt](crate::sim::SimBuilder::interrupt). Everything is then as before, so that another step of this
-    /// length fails again.
+    /// A time step that is not finite and positive; a contact that did not converge at any position of the
+    /// roughness; solids, wear or a tribofilm at the edge of a box that does not grow; a value of a law that is
+    /// not finite; an [interrupt](crate::sim::SimBuilder::interrupt). The state is then unchanged, so that a
+    /// further step of this length fails too.
     pub fn step(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
         self.step_within(&StepControl::fixed(time_step))
     }
 
-    /// Takes one step, as long as `control` allows: one solve of the contact, and then the longest step under
-    /// its pressures in which no node wears or grows by more than the depth. The record holds its length.
+    /// Takes one step as long as `control` allows: one contact solve, then the longest step under its pressures in
+    /// which no node wears or grows by more than the bound. The record holds its length.
     ///
     /// # Errors
-    /// As of [`MixedLubricationSim::step`], and laws that change a node by more than the depth in any time.
+    /// As of [`MixedLubricationSim::step`], and laws that exceed the bound in any time.
     pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         control.validate()?;
         match self.step_in_box(control) {
@@ -202,7 +201,7 @@ impl MixedLubricationSim {
         }
     }
 
-    /// The same in the box as it is.
+    /// As [`step_within`](Self::step_within), without widening the box.
     pub(in crate::sim) fn step_in_box(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         let (draws, saved) = (self.draws, self.contact.saved());
         self.before.clone_from(&self.state);
@@ -219,14 +218,14 @@ impl MixedLubricationSim {
         outcome
     }
 
-    /// The same; an error leaves contact and bodies as they were when it came.
+    /// Takes a step; an error leaves contact and bodies in their intermediate state.
     fn take_step(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         let conditions = self.conditions();
         self.contact.set_conditions(&self.scene, &conditions)?;
         self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
-        let (solved, offsets, attempts) = self.solve_somewhere()?;
+        let (solved, offsets, attempts) = self.solve_at_some_position()?;
         let error_estimate = self.estimate_errors(&conditions, &solved.0)?;
-        let flash_rise = self.heat.rub(&self.friction, self.film_heat.as_ref())?;
+        let flash_rise = self.heat.update(&self.friction, self.film_heat.as_ref())?;
         let rq = self.roughness()?;
         let time_step = self.commit_within(control, offsets)?;
         self.require_changes_inside()?;
@@ -331,7 +330,7 @@ impl MixedLubricationSim {
         }))
     }
 
-    /// Refuses wear and tribofilms that have reached the edge of the box in this step.
+    /// Rejects a step in which wear or a tribofilm has reached the edge of the box.
     fn require_changes_inside(&self) -> Result<(), SimError> {
         if self.scene.solver.edge_contact {
             return Ok(());
@@ -367,8 +366,8 @@ impl MixedLubricationSim {
         fields.fold(0.0, |largest, (now, before)| largest.max((now - before).abs()))
     }
 
-    /// Solves the contact at the next position of the roughness, or at further ones where that fails.
-    fn solve_somewhere(&mut self) -> Result<(Solved, Offsets, u32), SimError> {
+    /// Solves the contact at the next position of the roughness, or at further ones if that fails.
+    fn solve_at_some_position(&mut self) -> Result<(Solved, Offsets, u32), SimError> {
         let mut attempt = 1;
         loop {
             let offsets = self.offsets()?;
@@ -376,11 +375,11 @@ impl MixedLubricationSim {
             let (report, heat) = self.solve_at(offsets)?;
             match report.require_converged() {
                 Ok(()) => return Ok(((report, heat), offsets, attempt)),
-                // A motion that has no other position has no other contact.
+                // Without another position a further attempt would be the same.
                 Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
                     return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
                 }
-                // With squeeze a solve starts from the state: from the last one that converged.
+                // With squeeze a solve starts from the previous state: restore the last converged one.
                 Err(_) => {
                     self.state.clone_from(&self.before);
                     attempt += 1;
@@ -389,18 +388,18 @@ impl MixedLubricationSim {
         }
     }
 
-    /// Where the roughness stands at the next solve.
+    /// Offsets of the roughness at the next solve.
     fn offsets(&self) -> Result<Offsets, InputError> {
         let speeds = self.operating_schedule.mean_speeds(self.time);
         self.surface_motion.offsets(self.draws, self.time, speeds, &self.contact.grid)
     }
 
-    /// Refuses what the solver of the next contact refuses before its first iteration.
+    /// Returns the input errors of the next solve without solving.
     pub(in crate::sim) fn check_first_contact(&mut self) -> Result<(), SimError> {
         let offsets = self.offsets()?;
         let Self { bodies, contact, laws, state, contact_start, placement, yielding, .. } = self;
         placement.place(bodies, &contact.form_gap, offsets)?;
-        contact.cover(&placement.films)?;
+        contact.set_tribofilms(&placement.films)?;
         let limit = match &laws.plasticity {
             None => None,
             Some(models) => {
@@ -411,16 +410,16 @@ impl MixedLubricationSim {
         Ok(contact.check(&placement.gap, limit, contact_start.as_ref().unwrap_or(state))?)
     }
 
-    /// Solves the contact of the bodies as they lie at `offsets`, with its shear stresses and, where the film
-    /// has one, with its temperature.
+    /// Solves the contact of the bodies at `offsets` with its shear stresses and, if modelled, the film
+    /// temperature.
     pub(in crate::sim) fn solve_at(&mut self, offsets: Offsets) -> Result<Solved, SimError> {
         let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
         placement.place(&self.bodies, &contact.form_gap, offsets)?;
-        contact.cover(&placement.films)?;
+        contact.set_tribofilms(&placement.films)?;
         let squeeze =
             if self.surface_motion.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
-        // A film that is squeezed was there a moment ago; roughness that has moved far makes the last
-        // pressures no better a start than the dry contact.
+        // With squeeze the previous film is close to the next one: keep it as a start. Otherwise the roughness
+        // has moved far, and the dry contact is as good a start.
         match self.contact_start.as_ref().filter(|_| self.step == 0) {
             Some(start) => state.clone_from(start),
             None if squeeze.is_none() => state.pressure.fill(0.0),
@@ -464,7 +463,7 @@ impl MixedLubricationSim {
             yielding.share(&state.plastic_depth)?;
             buffers.flatten(bodies, &contact_exposure, &yielding.split, time_step)?;
         }
-        buffers.rub(bodies, &contact_exposure, laws, time_step)
+        buffers.wear_and_grow(bodies, &contact_exposure, laws, time_step)
     }
 
     /// Root mean square roughness of both bodies on the track \[m\].
@@ -473,8 +472,8 @@ impl MixedLubricationSim {
         Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
     }
 
-    /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved
-    /// under `conditions` on surfaces of roughness `rq`.
+    /// The record of the step of length `time_step` just taken, whose contact was solved under `conditions` on
+    /// surfaces of roughness `rq`.
     fn record(
         &self,
         ((report, heat), attempts): (Solved, u32),

@@ -1,16 +1,15 @@
-//! What the contacts before carried along, which the next one squeezes.
+//! Lubricant mass of the previous contacts, for the squeeze term of the next one.
 //!
-//! A cell holds the mass `theta rho/rho_0 h` per area, as a film thickness \[m\]. Its change in time is the
-//! squeeze of Reynolds' equation; the difference is of second order from the third contact on.
+//! A cell holds the mass per area `theta rho/rho_0 h`, as a film thickness \[m\]. Its time derivative is the
+//! squeeze term of the Reynolds equation, by second-order differences from the third contact on.
 
 use crate::error::InputError;
 use crate::reynolds::Squeeze;
 
-/// Longest step over the one before with which the difference of second order is taken; from 2.4 on it is
-/// unstable.
+/// Largest ratio of successive steps for the second-order difference, which is unstable from a ratio of 2.4 on.
 const LONGEST: f64 = 2.0;
 
-/// Masses of the last two contacts and the steps after them, newest first.
+/// Masses of the last two contacts and the lengths of the steps after them, newest first.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(in crate::sim) struct SqueezeMemory {
@@ -21,12 +20,12 @@ pub(in crate::sim) struct SqueezeMemory {
 }
 
 impl SqueezeMemory {
-    /// Nothing remembered yet.
+    /// Zero masses.
     pub(in crate::sim) fn new(nodes: usize) -> Self {
         Self { masses: [vec![0.0; nodes], vec![0.0; nodes]], steps: [0.0; 2] }
     }
 
-    /// Refuses fields that are not those of a simulation on `grid`.
+    /// Rejects fields that do not fit `grid`.
     #[cfg(feature = "serde")]
     pub(in crate::sim) fn validate(&self, grid: &crate::grid::Grid) -> Result<(), InputError> {
         for mass in &self.masses {
@@ -35,16 +34,16 @@ impl SqueezeMemory {
         self.steps.iter().try_for_each(|step| InputError::require_non_negative("last step", *step))
     }
 
-    /// Takes over the mass of a contact that lasted `time_step`.
+    /// Stores the mass of a contact that lasted `time_step`.
     pub(in crate::sim) fn keep(&mut self, mass: &[f64], time_step: f64) {
         self.masses.swap(0, 1);
         self.masses[0].copy_from_slice(mass);
         self.steps = [time_step, self.steps[0]];
     }
 
-    /// The squeeze of the contact after `contacts` others, none of the first. It is of second order in time,
-    /// of first order in the second contact and after a step more than twice as long as the one before. What
-    /// it refers to may be written to `combined`.
+    /// The squeeze term of the contact after `contacts` others; `None` for the first. It is second-order in time,
+    /// first-order in the second contact and after a step more than twice as long as the previous one. The
+    /// reference mass may be written to `combined`.
     pub(in crate::sim) fn squeeze<'a>(
         &'a self,
         contacts: u64,

@@ -1,4 +1,4 @@
-//! A body that begins a run with the marks of an earlier one.
+//! Bodies from an earlier run as a start.
 
 use crate::error::{InputError, format_number};
 use crate::grid::Grid;
@@ -8,8 +8,8 @@ use crate::sim::history::simulation::MixedLubricationSim;
 use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::WearDepth;
 
-/// What a body has been through before a run: heights of the new body, wear, plastic depth and tribofilm, all
-/// on the grid of the contact. Its surface is `initial - wear - plastic + tribofilm`.
+/// State of a body from an earlier run: initial heights, wear, plastic depth and tribofilm, all on the grid of
+/// the contact. Its surface is `initial - wear - plastic + tribofilm`.
 ///
 /// ```
 /// use stribeck::sim::{BodyStart, MixedLubricationSim, Scene};
@@ -29,9 +29,9 @@ use crate::wear::WearDepth;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyStart {
-    /// The grid that the heights are on.
+    /// The grid of the heights.
     grid: Grid,
-    /// Heights before all of it \[m\].
+    /// Heights before any change \[m\].
     pub(in crate::sim) initial: Vec<f64>,
     /// Worn depth \[m\].
     pub(in crate::sim) wear: Vec<f64>,
@@ -39,12 +39,12 @@ pub struct BodyStart {
     pub(in crate::sim) plastic: Vec<f64>,
     /// Thickness of the tribofilm \[m\].
     pub(in crate::sim) tribofilm: Vec<f64>,
-    /// States of the film, node-major, where they are known.
+    /// State of the growth law, node-major, if known.
     pub(in crate::sim) states: Option<Vec<f64>>,
 }
 
 impl MixedLubricationSim {
-    /// Ball and disc as they stand, as starts of another run.
+    /// Ball and disc in their present state, as starts of another run.
     pub fn starts(&self) -> [BodyStart; 2] {
         let [ball, disc] = self.bodies();
         [ball, disc].map(|body| {
@@ -60,7 +60,7 @@ impl MixedLubricationSim {
 }
 
 impl BodyStart {
-    /// A new body with the heights `initial` \[m\], one for each node of `grid`, positive out of the body.
+    /// A new body with the heights `initial` \[m\], one per node of `grid`, positive out of the body.
     pub fn new(grid: Grid, initial: Vec<f64>) -> Self {
         let zeros = || vec![0.0; initial.len()];
         Self { grid, wear: zeros(), plastic: zeros(), tribofilm: zeros(), states: None, initial }
@@ -80,7 +80,7 @@ impl BodyStart {
         self
     }
 
-    /// The same body under a tribofilm of `thickness` \[m\] without further history.
+    /// The same body with a tribofilm of `thickness` \[m\], whose law has no other state.
     #[must_use]
     pub fn with_tribofilm(mut self, thickness: Vec<f64>) -> Self {
         self.states = None;
@@ -92,7 +92,7 @@ impl BodyStart {
         self
     }
 
-    /// The body called `name` on `grid`, whose film grows by `law`.
+    /// The body `name` on `grid` with a film that grows by `law`.
     pub(in crate::sim) fn into_body(
         self,
         name: &str,
@@ -126,7 +126,7 @@ impl BodyStart {
         Ok(body)
     }
 
-    /// Refuses a start that was made on another grid.
+    /// Rejects a start on another grid.
     fn check_grid(&self, name: &str, grid: &Grid) -> Result<(), InputError> {
         let words = |grid: &Grid| {
             let [dx, dy] = [grid.dx(), grid.dy()].map(format_number);
@@ -145,7 +145,7 @@ impl BodyStart {
         })
     }
 
-    /// The tribofilm of the start, with the states of `law`; refuses a film without a law.
+    /// The tribofilm of the start, with the state of `law`; rejects a film without a law.
     fn film(&self, name: &str, law: Option<&dyn FilmGrowthLaw>) -> Result<Option<Tribofilm>, InputError> {
         let field = format!("{name} start tribofilm");
         let thickest = self.tribofilm.iter().copied().fold(0.0, f64::max);
@@ -163,7 +163,7 @@ impl BodyStart {
         };
         let fits = thickest <= law.maximum_thickness() * (1.0 + 1e-9);
         InputError::require(fits, &field, thickest, "at most the largest thickness of the growth law")?;
-        // States of another law may mean something else; those that give another thickness do.
+        // The state is used only if it has the thickness of the start: other laws define theirs differently.
         let known = self.states.as_ref().filter(|states| {
             let n_states = law.n_states().max(1);
             let thickness = states.chunks_exact(n_states).map(|states| law.thickness(states));

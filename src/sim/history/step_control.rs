@@ -1,13 +1,13 @@
-//! How long a step may be.
+//! Step length control.
 
 use crate::error::InputError;
 use crate::with_fields::with_fields;
 
-/// Bounds of a step: one contact solve stands for all of it, so the surfaces must not change much within.
+/// Bounds of a step. One contact solve represents the whole step, so the surfaces must not change much in it.
 ///
 /// ```
 /// use stribeck::sim::StepControl;
-/// // A minute, less while something wears or grows fast.
+/// // At most a minute, less if wear or growth is fast.
 /// StepControl::new(60.0, 3e-9).validate()?;
 /// assert!(StepControl::new(0.0, 3e-9).validate().is_err());
 /// # Ok::<(), stribeck::InputError>(())
@@ -17,9 +17,8 @@ use crate::with_fields::with_fields;
 pub struct StepControl {
     /// Longest step \[s\].
     pub longest: f64,
-    /// Largest change of wear or tribofilm of any node of either body in a step \[m\]; infinite: no bound.
-    /// Plastic depth does not count: it depends on the length of the step only where less than one passage of
-    /// a point falls to it.
+    /// Largest change of wear or tribofilm at any node of either body in a step \[m\]; infinite for no bound.
+    /// Plastic depth is not counted: it depends on the step length only where a step is less than one passage.
     pub depth: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What a history leaves on the track: means over its width, its profile, and the roughness on it.
+//! Evaluation on the track: means over its width, its profile and its roughness.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -6,12 +6,12 @@ use crate::sim::history::body::Body;
 use crate::sim::history::simulation::MixedLubricationSim;
 
 impl MixedLubricationSim {
-    /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a` with
-    /// the half-width `a` of the Hertz contact across under the load of the last step; cells count by their
-    /// share of it. The box does not change it.
+    /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a`, where `a` is
+    /// the Hertz half-width along y under the load of the last step. Cells are weighted by their part within the
+    /// track. The mean does not depend on the box.
     ///
     /// # Errors
-    /// A field of another length than the grid.
+    /// A field whose length differs from the grid.
     ///
     /// ```
     /// use stribeck::sim::{MixedLubricationSim, Scene};
@@ -41,14 +41,13 @@ impl MixedLubricationSim {
         body.wear().chunks_exact(nx).map(|row| row.iter().sum::<f64>() / nx as f64).collect()
     }
 
-    /// Roughness on the track \[m\]: of `heights`, one value per node of a body's patch, the rows within
-    /// `|y| <= a`, each about its mean along x. A groove is the same all along the track, so that its form
-    /// goes with the means; roughness that is as long as the patch goes too, of isotropic roughness of the
-    /// correlation length `b` in a patch of the length `L` a share of the order `b/L` of the square of Rq.
-    /// Rows beside the track are none of its roughness: with them Rq would be that of the box.
+    /// Roughness on the track \[m\]: the rows of `heights` (one value per node of a body's patch) within `|y| <= a`,
+    /// each minus its mean along x. A groove is constant along the track, so its profile is removed with the
+    /// means. Roughness as long as the patch is removed too: for isotropic roughness of correlation length `b` in
+    /// a patch of length `L`, a fraction of order `b/L` of the mean square. Rows outside the track are excluded.
     ///
     /// # Errors
-    /// A field of another length than the grid.
+    /// A field whose length differs from the grid.
     ///
     /// ```
     /// use stribeck::metrics::height_statistics;

@@ -1,9 +1,9 @@
-//! A history whose box grows: steps that solids, wear or a tribofilm end at its edge are taken again in a box twice
-//! as wide, on cells of the same size.
+//! Growing boxes: a step in which solids, wear or a tribofilm reach the edge is repeated in a box twice as wide, on
+//! cells of the same size.
 //!
-//! The bodies are carried over node by node. Along an axis on which the patch of a body is periodic in the history
-//! (x where it moves, both where it is met at random) its fields repeat. Elsewhere new nodes are unworn, with heights
-//! of the generator of the scene, which take the place of the old ones, continued periodically, over a band.
+//! The bodies are copied node by node. Along an axis on which the patch of a body is periodic in the history (x if
+//! it moves, both if its positions are random) its fields repeat. Elsewhere new nodes are unworn, with heights from
+//! the generator of the scene; a band blends them with the periodic continuation of the old heights.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -21,9 +21,9 @@ use crate::surface::PointRevisit;
 use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::WearDepth;
 
-/// Times that the box may double in one step.
+/// Most doublings of the box in one step.
 const MOST_DOUBLINGS: usize = 4;
-/// Width of the band over which heights change over, in the old width of the box.
+/// Width of the blending band, in units of the old width of the box.
 const BAND: f64 = 0.125;
 
 /// An axis of the grid.
@@ -38,20 +38,20 @@ struct Doubling {
     axis: Axis,
     /// The old grid.
     old: Grid,
-    /// Cells along the axis before.
+    /// Old number of cells along the axis.
     count: usize,
-    /// New cells below the old ones.
+    /// Number of new cells below the old ones.
     below: usize,
 }
 
 impl SimBuilder {
-    /// Refuses what a box that grows cannot have.
+    /// Rejects components that are defined on one box only.
     pub(in crate::sim) fn require_growable(&self) -> Result<(), InputError> {
         if !self.scene.grid.grows() {
             return Ok(());
         }
-        let refuse = |what: &str| {
-            let reason = format!("{what} on the cells of one box, a box that grows needs others");
+        let refuse = |part: &str| {
+            let reason = format!("{part} on the cells of one box, a box that grows needs others");
             Err(InputError::Conflict { field: "grid.grows".to_owned(), reason })
         };
         if let Some(part) = self.part_on_one_grid() {
@@ -66,7 +66,7 @@ impl SimBuilder {
 }
 
 impl MixedLubricationSim {
-    /// Takes the step that `edge` has ended in a wider box. After an error the box is as before.
+    /// Repeats the step that ended with `edge` in a wider box. An error restores the old box.
     pub(in crate::sim) fn step_in_wider_box(
         &mut self,
         control: &StepControl,
@@ -147,8 +147,8 @@ impl Doubling {
         2 * self.old.len()
     }
 
-    /// The old node under node `k` of the wider grid, continued periodically, and its distance from the old box in
-    /// cells; 0 within.
+    /// The old node for node `k` of the wider grid by periodic continuation, and its distance from the old box in cells
+    /// (0 inside).
     fn origin(&self, k: usize) -> (usize, usize) {
         let nx = if self.axis == Axis::X { 2 * self.old.nx() } else { self.old.nx() };
         let (i, j) = (k % nx, k / nx);
@@ -160,7 +160,7 @@ impl Doubling {
         (node, distance)
     }
 
-    /// Heights of the new body: the `old` ones repeated, or within the old box alone and `fresh` ones beyond.
+    /// Heights of the new body: the `old` ones repeated, or `old` inside the old box and `fresh` outside.
     fn heights(&self, old: &[f64], fresh: &[f64], repeats: bool, blends: bool) -> Vec<f64> {
         let band = if blends { (BAND * self.count as f64).ceil() } else { 0.0 };
         let height = |k: usize| {
@@ -169,7 +169,7 @@ impl Doubling {
             if repeats || distance == 0 {
                 old[node]
             } else if share < 1.0 {
-                // of independent heights the sum has the mean square of either
+                // the blend of independent heights keeps the mean square
                 let angle = std::f64::consts::FRAC_PI_2 * share;
                 old[node] * angle.cos() + fresh[k] * angle.sin()
             } else {
@@ -179,7 +179,7 @@ impl Doubling {
         (0..self.nodes()).map(height).collect()
     }
 
-    /// The `body` on the wider grid, with new heights.
+    /// The `body` on the wider grid with new heights.
     fn body(
         &self,
         body: &Body,
@@ -220,7 +220,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_doubled_axis_keeps_the_old_nodes_in_the_middle() -> Result<(), InputError> {
+    fn doubled_axis_centers_the_old_nodes() -> Result<(), InputError> {
         let old = Grid::from_edges(4, 3, [-2.0, 2.0], [-1.5, 1.5])?;
         let field: Vec<f64> = (0..12_u32).map(f64::from).collect();
         let fresh = vec![-1.0; 24];
@@ -240,7 +240,7 @@ mod tests {
                     assert!((repeated[k] - field[node]).abs() < 1e-15, "{axis:?} {k}");
                 }
             }
-            // Every old node twice.
+            // Every old node appears twice.
             assert!((repeated.iter().sum::<f64>() - 2.0 * field.iter().sum::<f64>()).abs() < 1e-12);
         }
         Ok(())

@@ -1,11 +1,10 @@
-//! The pressure limit of a contact and the depth that yielding leaves on each body.
+//! The pressure limit of a contact and its division of plastic depth between the bodies.
 //!
-//! A node of the contact carries at most the smaller of the limits of both bodies there, which depend on
-//! their tribofilms and on how far they were flattened. Where the limit grows with the depth that this
-//! contact adds, limit and depth are found by turns.
+//! The limit at a node of the contact is the smaller of the limits of both bodies there, which depend on their
+//! tribofilms and plastic depths. If the limit grows with the depth added by this contact, limit and depth are
+//! iterated.
 //!
-//! Both bodies meet at one pressure: the softer one gives way, and where both have one limit they share the
-//! depth.
+//! Both bodies have the same pressure: the softer one yields; at equal limits both take half of the depth.
 
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
@@ -17,25 +16,25 @@ use crate::sim::contact::per_body::PerBody;
 use crate::sim::error::SimError;
 use crate::sim::history::placement::Placement;
 
-/// Solves in which limit and depth of a hardening contact must have met.
+/// Most solves to match limit and depth of a hardening contact.
 const MAX_HARDENING: usize = 40;
-/// Accepted distance between both, relative to the limit.
+/// Tolerance of the limit, relative.
 const HARDENING_TOLERANCE: f64 = 1e-3;
-/// A patch of nodes that yield together gives way more than a single one, by about this factor.
+/// Compliance of a patch of nodes that yield together over that of a single node, approximately.
 const PATCH_COMPLIANCE: f64 = 4.0;
 
-/// Limits and depths of the contact in progress, in its frame.
+/// Limits and depths of the present contact, in its frame.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct Yielding {
     /// Pressure limit of the pair \[Pa\].
     pub(in crate::sim) limit: Vec<f64>,
-    /// Limits of ball and disc at the start \[Pa\].
+    /// Initial limits of ball and disc \[Pa\].
     body_limits: [Vec<f64>; 2],
-    /// Plastic depths of the bodies once they have given way \[m\].
+    /// Plastic depths of the bodies after yielding \[m\].
     hardened_depths: [Vec<f64>; 2],
-    /// Their limits then \[Pa\].
+    /// Limits of the bodies after yielding \[Pa\].
     hardened: [Vec<f64>; 2],
-    /// What each body gives way \[m\].
+    /// Plastic depth added to each body \[m\].
     pub(in crate::sim) split: [Vec<f64>; 2],
 }
 
@@ -47,9 +46,9 @@ impl Yielding {
         Self { limit: zeros(), body_limits: pair(), hardened_depths: pair(), hardened: pair(), split: pair() }
     }
 
-    /// Solves the contact of the bodies as they are placed under the pressure limit of their `models`. Limits
-    /// that rise with the depth are moved and the contact is solved again until both belong together; where
-    /// they do not, the status is that of too many iterations. The limit is then the one of the last solve.
+    /// Solves the contact of the placed bodies under the pressure limit of their `models`. Limits that grow with the
+    /// depth are updated and the contact is solved again until both match; otherwise the status is
+    /// `MaxIterations` and the limit is that of the last solve.
     pub(in crate::sim) fn solve(
         &mut self,
         models: &PerBody<dyn PlasticityModel>,
@@ -78,7 +77,7 @@ impl Yielding {
         Ok(report)
     }
 
-    /// Limits of the bodies as they lie opposite each other with `films` and `depths` \[m\].
+    /// Limits of the placed bodies with `films` and `depths` \[m\].
     pub(in crate::sim) fn start(
         &mut self,
         models: &PerBody<dyn PlasticityModel>,
@@ -100,8 +99,8 @@ impl Yielding {
         model.contact_limit_into([first, second], [above, below], &mut self.limit)
     }
 
-    /// Finds the limits of the bodies once they have given way by `plastic` \[m\], and returns the largest
-    /// distance of the limit from the smaller one, relative.
+    /// Computes the limits of the bodies after yielding by `plastic` \[m\]. Returns the largest relative error of
+    /// the present limit.
     fn harden(
         &mut self,
         models: &PerBody<dyn PlasticityModel>,
@@ -124,9 +123,8 @@ impl Yielding {
         })
     }
 
-    /// Moves the limit towards that of the bodies once they have given way by `plastic` \[m\]. A limit that
-    /// rises by dH lets the node give way by some `compliance` dH \[m\] less, which the length of the move
-    /// allows for.
+    /// Moves the limit towards that of the bodies after yielding by `plastic` \[m\]. A limit higher by dH lowers the
+    /// plastic depth by about `compliance` dH \[m\], which the step length accounts for.
     fn move_limit(&mut self, plastic: &[f64], compliance: f64) {
         for (k, limit) in self.limit.iter_mut().enumerate() {
             let softer = self.body_limits[0][k].min(self.body_limits[1][k]);
@@ -136,7 +134,7 @@ impl Yielding {
         }
     }
 
-    /// Splits `plastic` \[m\] between the bodies by their limits at the start.
+    /// Divides `plastic` \[m\] between the bodies by their initial limits.
     pub(in crate::sim) fn share(&mut self, plastic: &[f64]) -> Result<(), InputError> {
         let [ball, disc] = &mut self.split;
         let [ball_limit, disc_limit] = &self.body_limits;

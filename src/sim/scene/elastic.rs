@@ -10,19 +10,19 @@ use crate::with_fields::with_fields;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "ElasticTable"))]
 #[non_exhaustive]
 pub struct Elastic {
-    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`, without the layer; infinite where the materials
-    /// give the moduli ([`Scene::equivalent_modulus`]).
+    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`, without the layer; infinite if it follows from the
+    /// moduli of the materials ([`Scene::equivalent_modulus`]).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_infinite"))]
     pub equivalent_modulus: f64,
-    /// A layer on the disc; none for a half-space.
+    /// A layer on the disc; `None` for a half-space.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub layer: Option<LayerSpec>,
-    /// What the tribofilms of both bodies are made of; none where they give way as the bodies do.
+    /// Elastic constants of both tribofilms; `None` if they are as stiff as the bodies.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub tribofilm: Option<FilmElasticSpec>,
 }
 
-/// Elastic constants of tribofilms, which give way beyond the bodies by [`BondedFilm`].
+/// Elastic constants of compliant tribofilms, whose deflection adds to that of the bodies by [`BondedFilm`].
 ///
 /// # Examples
 ///
@@ -31,7 +31,7 @@ pub struct Elastic {
 /// use stribeck::sim::scene::FilmElasticSpec;
 /// let mut scene = Scene::azam_2019(32).with_tribofilm();
 /// scene.elastic.tribofilm = Some(FilmElasticSpec::new(30e9, 0.3));
-/// // Nanometres that a film of 100 nm gives way under 1 GPa.
+/// // Deflection in nanometres of a film of 100 nm under 1 GPa.
 /// let [ball, disc] = scene.bonded_films()?.ok_or("no films")?;
 /// assert!((1e9 * 100e-9 * disc.compliance() - 2.24e-9).abs() < 1e-11);
 /// assert_eq!(ball, disc);
@@ -48,7 +48,7 @@ pub struct FilmElasticSpec {
 }
 
 impl FilmElasticSpec {
-    /// Films with Young's `modulus` \[Pa\] and Poisson's ratio `poisson`.
+    /// Films with Young's modulus `modulus` \[Pa\] and Poisson's ratio `poisson`.
     pub const fn new(modulus: f64, poisson: f64) -> Self {
         Self { modulus, poisson }
     }
@@ -56,10 +56,10 @@ impl FilmElasticSpec {
 
 with_fields!(FilmElasticSpec { with_modulus modulus: f64, with_poisson poisson: f64 });
 
-/// Poisson's ratio of bodies of which `E'` alone is known.
+/// Poisson's ratio assumed if only `E'` of the bodies is known.
 const USUAL_POISSON: f64 = 0.3;
 
-/// A layer that is bonded to the disc, the substrate.
+/// A layer bonded to the disc as substrate.
 ///
 /// # Examples
 ///
@@ -68,7 +68,7 @@ const USUAL_POISSON: f64 = 0.3;
 /// use stribeck::sim::scene::LayerSpec;
 /// let mut scene = Scene::azam_2019(32);
 /// let coating = LayerSpec::new(2e-6, 300e9, 0.25);
-/// scene.elastic.layer = Some(coating); // the substrate is not known yet
+/// scene.elastic.layer = Some(coating); // the substrate is still unknown
 /// assert!(scene.layer().is_err());
 /// scene.elastic.layer =
 ///     Some(coating.with_substrate_modulus(Some(210e9)).with_substrate_poisson(Some(0.3)));
@@ -85,16 +85,16 @@ pub struct LayerSpec {
     pub modulus: f64,
     /// Poisson's ratio.
     pub poisson: f64,
-    /// Young's modulus of the substrate \[Pa\]; none for that of `materials.disc`.
+    /// Young's modulus of the substrate \[Pa\]; `None` for that of `materials.disc`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub substrate_modulus: Option<f64>,
-    /// Poisson's ratio of the substrate; none for that of `materials.disc`.
+    /// Poisson's ratio of the substrate; `None` for that of `materials.disc`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub substrate_poisson: Option<f64>,
 }
 
 impl LayerSpec {
-    /// A layer of `thickness` \[m\] with Young's `modulus` \[Pa\] and Poisson's ratio `poisson`.
+    /// A layer of `thickness` \[m\] with Young's modulus `modulus` \[Pa\] and Poisson's ratio `poisson`.
     pub const fn new(thickness: f64, modulus: f64, poisson: f64) -> Self {
         Self { thickness, modulus, poisson, substrate_modulus: None, substrate_poisson: None }
     }
@@ -108,7 +108,7 @@ with_fields!(LayerSpec {
     with_substrate_poisson substrate_poisson: Option<f64>,
 });
 
-/// What a scene file holds.
+/// `[elastic]` as written in a scene file.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -136,7 +136,7 @@ impl TryFrom<ElasticTable> for Elastic {
     }
 }
 
-/// Whether the materials give the modulus: then it is not written.
+/// Whether the modulus is that of the materials; it is then not written.
 #[cfg(feature = "serde")]
 fn is_infinite(modulus: &f64) -> bool {
     *modulus == f64::INFINITY
@@ -148,7 +148,7 @@ impl Elastic {
         Self { equivalent_modulus, layer: None, tribofilm: None }
     }
 
-    /// Whether the table need not be written.
+    /// Whether the table can be omitted from the file.
     #[cfg(feature = "serde")]
     pub(super) fn is_absent(&self) -> bool {
         *self == Self::default()
@@ -156,14 +156,14 @@ impl Elastic {
 }
 
 impl Default for Elastic {
-    /// Half-spaces, the modulus that of the materials.
+    /// Half-spaces with the modulus of the materials.
     fn default() -> Self {
         Self::new(f64::INFINITY)
     }
 }
 
 impl Scene {
-    /// The layer on the disc, if there is one.
+    /// The layer on the disc, if any.
     ///
     /// # Errors
     /// A value out of range, constants of the substrate that are missing or given twice.
@@ -187,12 +187,12 @@ impl Scene {
         Layer::new(spec.thickness, [spec.modulus, spec.poisson], [modulus, poisson]).map(Some)
     }
 
-    /// The tribofilms of ball and disc on what is below them, if they have constants of their own. A film lies
-    /// on the layer where the disc has one. Bodies of which `E'` alone is known are of one material with
-    /// Poisson's ratio 0.3; a ball opposite a layer has what `E'` leaves to it.
+    /// The tribofilms of ball and disc on their supports, if they have elastic constants. The support of the disc
+    /// is its layer, if any. If only `E'` of the bodies is known, both have the same material with Poisson's ratio
+    /// 0.3; the compliance of a ball against a layer is the rest of `E'`.
     ///
     /// # Errors
-    /// A value out of range, films that give way no more than what is below them.
+    /// A value out of range, films that are not more compliant than their support.
     pub fn bonded_films(&self) -> Result<Option<[BondedFilm; 2]>, InputError> {
         let Some(spec) = self.elastic.tribofilm else { return Ok(None) };
         let on = |substrate: [f64; 2]| BondedFilm::new([spec.modulus, spec.poisson], substrate);
@@ -200,12 +200,12 @@ impl Scene {
         Ok(Some([on(ball)?, on(disc)?]))
     }
 
-    /// Young's modulus \[Pa\] and Poisson's ratio of ball and disc below their tribofilms.
+    /// Young's modulus \[Pa\] and Poisson's ratio of the supports of the films on ball and disc.
     fn below_films(&self) -> Result<[[f64; 2]; 2], InputError> {
         let compliance = 2.0 / self.equivalent_modulus()?;
         let layer = self.layer()?;
         let of_disc = layer.map_or(0.5 * compliance, |layer| layer.compliances()[1]);
-        // What rounding leaves of a rigid ball is no body.
+        // For a rigid ball the difference is a rounding error.
         let of_ball = (compliance - of_disc).max(0.0);
         let usual = |compliance: f64| [(1.0 - USUAL_POISSON * USUAL_POISSON) / compliance, USUAL_POISSON];
         let [ball, disc] = self.materials.bodies().map(|body| body.young_modulus().zip(body.poisson()));

@@ -1,7 +1,7 @@
 //! Scenes as TOML text and files.
 //!
-//! Reading goes through three hands: syntax (`toml`), units (`keys`), tables (`serde`). Errors of all are
-//! brought to one line with the number of the line, the key and words that a reader of scene files knows.
+//! Reading has three stages: syntax (`toml`), units (`keys`), tables (`serde`). Errors of all stages have one line
+//! with line number, key and the terms of scene files.
 
 use std::path::Path;
 
@@ -14,16 +14,16 @@ use crate::sim::error::SimError;
 use crate::text_file;
 use crate::units::toml_line;
 
-/// Characters of a line that a syntax error quotes.
+/// Most characters of a line quoted in a syntax error.
 const LONGEST_QUOTE: usize = 80;
 
 impl Scene {
-    /// A scene from TOML text. A number of a key that has a dimension may be text with a
+    /// Reads a scene from TOML text. The value of a key with a dimension may be text with a
     /// [unit](crate::units): `"9.525 mm"`.
     ///
     /// # Errors
-    /// [`SimError::Scene`] naming the key and the line of what does not fit, [`SimError::Input`] naming a
-    /// quantity that is none of its key.
+    /// [`SimError::Scene`] with key and line for a value that does not fit, [`SimError::Input`] for a quantity
+    /// of another dimension than its key.
     pub fn from_toml(text: &str) -> Result<Self, SimError> {
         let scene = |reason| SimError::Scene { reason };
         let root = DeTable::parse(text).map_err(|error| {
@@ -52,10 +52,10 @@ impl Scene {
         toml::to_string(self).map_err(|e| SimError::Scene { reason: e.to_string() })
     }
 
-    /// Reads a scene file; paths of other files in it are taken relative to its folder.
+    /// Reads a scene file. Paths of other files in it are relative to its folder.
     ///
     /// # Errors
-    /// [`SimError::Io`] when the file cannot be read or has more than 16 MB, [`SimError::Scene`] when it does not fit.
+    /// [`SimError::Io`] if the file cannot be read or exceeds 16 MB, [`SimError::Scene`] if it is not valid.
     pub fn load(path: impl AsRef<Path>) -> Result<Self, SimError> {
         let path = path.as_ref();
         let text = text_file::read(path).map_err(|source| SimError::Io { path: path.to_owned(), source })?;
@@ -71,7 +71,7 @@ impl Scene {
     }
 }
 
-/// What the parser calls things, and what a reader of scene files does.
+/// Terms of the parser and their replacements for readers of scene files.
 const WORDS: [(&str, &str); 23] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number from 0"),
@@ -98,7 +98,7 @@ const WORDS: [(&str, &str); 23] = [
     ("missing field", "missing key"),
 ];
 
-/// The message without names of types of this crate.
+/// The message in the terms of scene files, without type names of this crate.
 fn in_plain_words(message: &str) -> String {
     let plain = WORDS.iter().fold(message.to_owned(), |text, (from, to)| text.replace(from, to));
     match plain.split_once("expected struct ") {
@@ -110,15 +110,15 @@ fn in_plain_words(message: &str) -> String {
     }
 }
 
-/// The parser's message with line and key in one line.
+/// The message of the parser with line and key, in one line.
 fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
     let line = 1 + line_of(text, &error);
-    // With the text at hand the message would be a picture of the place instead of the key.
+    // With the source text the parser would draw the location instead of naming the key.
     error.set_input(None);
     format!("line {line}: {}", in_plain_words(&escape(&error.to_string())))
 }
 
-/// The line of the error, from 0.
+/// The line of the error, counted from 0.
 fn line_of(text: &str, error: &toml::de::Error) -> usize {
     let start = error.span().map_or(0, |span| span.start.min(text.len()));
     text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count()

@@ -1,7 +1,7 @@
 //! The grid of a scene.
 //!
-//! Cells of one size fill a box; nodes are their centres. Whether the box holds the contact is checked where a
-//! contact is made.
+//! Cells of one size fill a box; nodes are at their centers. Whether the box contains the contact is checked when
+//! the contact is built.
 
 #[cfg(feature = "serde")]
 use serde::ser::SerializeMap as _;
@@ -11,7 +11,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::sim::scene::hertz::LINE_LENGTH;
 
-/// The grid, or what is asked of it.
+/// The grid, or the accuracy that it is chosen for.
 ///
 /// # Examples
 ///
@@ -28,26 +28,25 @@ use crate::sim::scene::hertz::LINE_LENGTH;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum GridSpec {
-    /// Cells that fill a box. A line contact is solved on one row of them: `ny` and `y` are checked and not
-    /// used.
+    /// Cells that fill a box. A line contact is solved on one row of them; `ny` and `y` are checked but not used.
     Cells {
         /// Cells along x.
         nx: usize,
         /// Cells along y.
         ny: usize,
-        /// Outer edges along x \[m\]; the flow goes along +x.
+        /// Outer edges along x \[m\]; flow is in the direction +x.
         x: [f64; 2],
         /// Outer edges along y \[m\].
         y: [f64; 2],
     },
-    /// The same cells to begin with; in a history a box that solid contact, wear or a tribofilm reaches the edge of
-    /// becomes twice as wide (`grows = true` in a file).
+    /// Initial cells of a history whose box doubles in width when solid contact, wear or a tribofilm reaches its
+    /// edge (`grows = true` in a file).
     Growing {
         /// Cells along x.
         nx: usize,
         /// Cells along y.
         ny: usize,
-        /// Outer edges along x \[m\]; the flow goes along +x.
+        /// Outer edges along x \[m\]; flow is in the direction +x.
         x: [f64; 2],
         /// Outer edges along y \[m\].
         y: [f64; 2],
@@ -56,15 +55,15 @@ pub enum GridSpec {
     Row {
         /// Cells along x.
         nx: usize,
-        /// Outer edges along x \[m\]; the flow goes along +x.
+        /// Outer edges along x \[m\]; flow is in the direction +x.
         x: [f64; 2],
     },
-    /// Box and cells are picked for an error, which is estimated from coarser grids: of a smooth contact the
-    /// relative one of the central film (dry: of the maximum pressure), of a rough one that of
-    /// [`SolverSpec::accuracy`](super::SolverSpec::accuracy). Single contacts only; normal heights with
-    /// shortest waves (Gaussian autocorrelation, self-affine down to one), which tell the cells to begin with.
+    /// Box and cells are chosen for a target error, which is estimated from coarser grids. For a smooth contact it
+    /// is the relative error of the central film (dry: of the maximum pressure), for a rough one that of
+    /// [`SolverSpec::accuracy`](super::SolverSpec::accuracy). Single contacts only. Heights must be normal with a
+    /// shortest wavelength (Gaussian autocorrelation, or self-affine with a cutoff), which sets the first cells.
     Accuracy {
-        /// Largest error.
+        /// Target error.
         accuracy: f64,
     },
 }
@@ -112,10 +111,10 @@ impl serde::Serialize for GridSpec {
 }
 
 impl Scene {
-    /// The grid; of a line contact one row of cells one metre wide.
+    /// The grid; for a line contact one row of cells one metre wide.
     ///
     /// # Errors
-    /// Counts or edges out of range; a row for a point contact; an accuracy in place of a grid.
+    /// Cells or edges out of range; a row for a point contact; an accuracy in place of a grid.
     pub fn grid(&self) -> Result<Grid, InputError> {
         let row = |nx, x| Grid::from_edges(nx, 1, x, [-0.5 * LINE_LENGTH, 0.5 * LINE_LENGTH]);
         let conflict = |field: &str, reason: &str| {
@@ -127,7 +126,7 @@ impl Scene {
                 if self.form.is_line() { row(nx, x) } else { Ok(grid) }
             }
             GridSpec::Row { nx, x } if self.form.is_line() => row(nx, x),
-            GridSpec::Row { .. } => conflict("grid", "ny and y are missing; only a cylinder needs none"),
+            GridSpec::Row { .. } => conflict("grid", "ny and y are missing; only a cylinder can omit them"),
             GridSpec::Accuracy { .. } => {
                 conflict("grid.accuracy", "only a single contact picks its grid, this needs nx, ny, x and y")
             }

@@ -1,15 +1,15 @@
-//! The smooth dry contact of a scene in numbers, point or line.
+//! The Hertz contact of a scene, point or line.
 
 use std::f64::consts::PI;
 
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::metrics::Ellipse;
 
-/// Length of a line contact that loads, areas and fields refer to \[m\].
+/// Length of a line contact for loads, areas and fields \[m\].
 pub(in crate::sim) const LINE_LENGTH: f64 = 1.0;
 
-/// Size, pressure and load of the Hertz contact of the smooth bodies. Of a line contact these are those of
-/// one metre of its length, so that its load in N is its load per length in N/m.
+/// Size, pressure and load of the Hertz contact of the smooth bodies. Those of a line contact are per metre of
+/// its length: its load in N is its load per length in N/m.
 ///
 /// # Examples
 ///
@@ -24,10 +24,10 @@ pub(in crate::sim) const LINE_LENGTH: f64 = 1.0;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct HertzContact {
-    /// Semi-axis along x, of a turned ellipse along the first axis of its form; half-width of a line contact
+    /// Semi-axis along x, or along the first axis of the form for a rotated ellipse; half-width of a line contact
     /// \[m\].
     pub half_width_x: f64,
-    /// Semi-axis along y, of a turned ellipse along the second axis of its form; half a metre of a line
+    /// Semi-axis along y, or along the second axis of the form for a rotated ellipse; half a metre for a line
     /// contact \[m\].
     pub half_width_y: f64,
     /// Angle from x to the first axis \[rad\].
@@ -43,17 +43,17 @@ pub struct HertzContact {
 }
 
 impl HertzContact {
-    /// Half the extent of the contact along x and y \[m\].
+    /// Half extents of the contact along x and y \[m\].
     pub fn half_extents(&self) -> [f64; 2] {
         self.ellipse().half_extents()
     }
 
-    /// Square of the distance of a point from the middle in Hertz units: 1 on the rim of the contact.
+    /// Squared distance of a point from the center in Hertz units: 1 on the boundary of the contact.
     pub fn radius_squared(&self, x: f64, y: f64) -> f64 {
         self.ellipse().radius_squared(x, y)
     }
 
-    /// The rim of the contact.
+    /// The boundary of the contact.
     pub(in crate::sim) fn ellipse(&self) -> Ellipse {
         Ellipse::turned(self.half_width_x, self.half_width_y, self.angle)
     }

@@ -1,8 +1,7 @@
-//! Units in scene files: which key holds what, and text with a unit in place of the number.
+//! Units in scene files: the dimension of each key, and text with a unit in place of a number.
 //!
-//! [`KEYS`] is all there is to know of the units of a scene: a new key that has a dimension is a line there.
-//! The numbers of the text are replaced in place before the scene is parsed, so that errors name the line
-//! that people have written.
+//! [`KEYS`] lists all keys with a dimension; a new one needs a line there. Text with a unit is replaced by its
+//! number before the scene is parsed, so that errors refer to the lines of the original file.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -16,7 +15,7 @@ use Dimension::{
     Pressure, PressurePerLength, Rate, Ratio, Speed, Temperature, Time, Viscosity, Volume, VolumePerEnergy,
 };
 
-/// Every key that has a dimension; `*` stands for the name of a body. Loads are per length in a line contact.
+/// All keys with a dimension; `*` matches the name of a body. Loads of a line contact are per length.
 const KEYS: &[(&str, Dimension)] = &[
     ("form.radius", Length),
     ("form.radius_x", Length),
@@ -112,30 +111,30 @@ const KEYS: &[(&str, Dimension)] = &[
     ("solver.accuracy", Ratio),
 ];
 
-/// How many parts `pattern` has below the key at `path`; none where the key is not on its way.
+/// Number of parts of `pattern` below the key at `path`; `None` if the key is not a prefix of it.
 fn parts_below(pattern: &str, path: &str) -> Option<usize> {
     let mut parts = pattern.split('.');
     let fit = path.split('.').all(|name| parts.next().is_some_and(|part| part == "*" || part == name));
     fit.then(|| parts.count())
 }
 
-/// Whether the key at `path` is a table, as a key of it has a dimension.
+/// Whether the key at `path` is a table: one of its keys has a dimension.
 fn is_table(path: &str) -> bool {
     KEYS.iter().any(|(pattern, _)| parts_below(pattern, path).is_some_and(|parts| parts > 0))
 }
 
-/// What the key at `path` of a scene file holds; none where it has no dimension or there is no such key.
+/// Dimension of the key at `path` of a scene file; `None` if it has none or there is no such key.
 fn dimension(path: &str, line: bool) -> Option<Dimension> {
     let found = KEYS.iter().find(|(pattern, _)| parts_below(pattern, path) == Some(0));
     let found = found.map(|(_, dimension)| *dimension)?;
     Some(if line && found == Force { ForcePerLength } else { found })
 }
 
-/// The scene `text`, whose tables are `root`, with numbers in SI units in place of text with a unit. Lines
-/// stay lines.
+/// The scene `text` with tables `root`, where text with a unit is replaced by numbers in SI units. Line numbers
+/// do not change.
 ///
 /// # Errors
-/// Text that is no quantity of its key, a list that should be a table, a date; the error names the key.
+/// Text that is not a quantity of its key, a list in place of a table, a date; the error names the key.
 pub(super) fn in_si_units<'a>(text: &'a str, root: &DeTable<'_>) -> Result<Cow<'a, str>, InputError> {
     let form = root.get("form").and_then(|form| form.get_ref().as_table());
     let kind = form.and_then(|form| form.get("kind")).and_then(|kind| kind.get_ref().as_str());
@@ -149,7 +148,7 @@ pub(super) fn in_si_units<'a>(text: &'a str, root: &DeTable<'_>) -> Result<Cow<'
     for (span, value) in places {
         out.push_str(text.get(copied..span.start).unwrap_or_default());
         out.push_str(&format!("{value:e}"));
-        // A value over several lines leaves their ends behind: errors count them.
+        // The line breaks of a value over several lines are kept, so that line numbers of errors are right.
         let lines = text.get(span.clone()).unwrap_or_default().matches('\n').count();
         out.extend(std::iter::repeat_n('\n', lines));
         copied = span.end;
@@ -158,7 +157,7 @@ pub(super) fn in_si_units<'a>(text: &'a str, root: &DeTable<'_>) -> Result<Cow<'
     Ok(Cow::Owned(out))
 }
 
-/// Places of quantities in `table`, whose path is `path`, and their values; lists of values are no tables.
+/// Collects positions and values of quantities in `table`, whose path is `path`. Lists of values are skipped.
 fn collect(
     table: &DeTable<'_>,
     path: &str,

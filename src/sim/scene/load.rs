@@ -1,14 +1,14 @@
 //! The load of a scene and the Hertz contact under it.
 //!
-//! A load is a force or the Hertz pressure that the smooth bodies would have under it. The Hertz contact
-//! gives boxes, starts and scales of everything else.
+//! A load is a force or the maximum Hertz pressure of the smooth bodies. The Hertz contact determines boxes,
+//! starts and scales.
 
 use super::Scene;
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
 use crate::sim::scene::hertz::HertzContact;
 
-/// Normal load, by exactly one of the two.
+/// Normal load, given by exactly one of two values.
 ///
 /// # Examples
 ///
@@ -50,7 +50,7 @@ impl Load {
         Self { hertz_pressure: None, force: Some(force) }
     }
 
-    /// The key of the load and its value.
+    /// Key and value of the load.
     fn given(&self) -> Result<(&'static str, f64), InputError> {
         let reason = match (self.hertz_pressure, self.force) {
             (Some(pressure), None) => return Ok(("load.hertz_pressure", pressure)),
@@ -65,10 +65,10 @@ impl Load {
 }
 
 impl Scene {
-    /// The Hertz contact of the smooth bodies, at the start where the load is scheduled.
+    /// The Hertz contact of the smooth bodies, at time zero if the load is scheduled.
     ///
     /// # Errors
-    /// Form, modulus, load or schedule out of range, or both kinds of load, or none.
+    /// Form, modulus, load or schedule out of range; both kinds of load or neither.
     pub fn hertz(&self) -> Result<HertzContact, InputError> {
         match self.schedule.load {
             None => self.constant_hertz(),
@@ -81,13 +81,12 @@ impl Scene {
         self.hertz_by(Load::force(load))
     }
 
-    /// The Hertz contact under the load of the scene, whatever the schedule.
+    /// The Hertz contact under the load of the scene, without its schedule.
     pub(in crate::sim) fn constant_hertz(&self) -> Result<HertzContact, InputError> {
         self.hertz_by(self.load)
     }
 
-    /// The Hertz contact under `load`, turned with the form; the error names the key of the load or of the
-    /// form.
+    /// The Hertz contact under `load`, rotated with the form. Errors name the key of the load or of the form.
     fn hertz_by(&self, load: Load) -> Result<HertzContact, InputError> {
         self.form.validate()?;
         let (radius_x, radius_y) = self.form.radii();
@@ -112,7 +111,7 @@ impl Scene {
             }
         };
         let turned = contact.map(|contact| HertzContact { angle: self.form.angle(), ..contact });
-        // All inputs are in range, so what is left is a result that is not.
+        // All inputs are in range: only the result can be out of range.
         turned.map_err(|error| InputError::Conflict {
             field: format!("{field} = {value:?}"),
             reason: format!("the Hertz contact under it is beyond the range of numbers ({error})"),

@@ -4,7 +4,7 @@ use crate::lubricant::{DoolittleTaitConstants, ImprovedYasutomiConstants};
 use crate::thermal::FilmThermal;
 use crate::with_fields::with_fields;
 
-/// Viscosity, of Roelands unless `viscosity` names another law, and Dowson-Higginson density.
+/// Viscosity by the law of Roelands, unless `viscosity` names another one, and Dowson-Higginson density.
 ///
 /// # Examples
 ///
@@ -15,7 +15,7 @@ use crate::with_fields::with_fields;
 /// let thin = scene.formula_film()?.ok_or("dry")?.central;
 /// scene.lubricant = Some(LubricantSpec::roelands(0.04, 0.68));
 /// let thick = scene.formula_film()?.ok_or("dry")?.central;
-/// assert!(thick > 3.0 * thin); // ten times the viscosity, to a power of 0.67 and more
+/// assert!(thick > 3.0 * thin); // ten times the viscosity, to a power of at least 0.67
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,52 +26,52 @@ use crate::with_fields::with_fields;
 )]
 #[non_exhaustive]
 pub struct LubricantSpec {
-    /// Viscosity at ambient pressure \[Pa s\], at `temperature` or that of the contact; zero where
-    /// `viscosity` gives the law.
+    /// Viscosity at ambient pressure \[Pa s\], at `temperature` or else the bulk temperature; zero if `viscosity`
+    /// is given.
     pub eta0: f64,
-    /// Roelands index; zero where `viscosity` gives the law.
+    /// Roelands index; zero if `viscosity` is given.
     pub roelands_z: f64,
     /// Roelands reference pressure \[Pa\].
     pub roelands_p0: f64,
-    /// Pressure-viscosity coefficient \[1/Pa\]: the slope of the law is set to it where it is given, else it
-    /// follows from `eta0`, `roelands_z` and `roelands_p0`.
+    /// Pressure-viscosity coefficient \[1/Pa\]. If given, it sets the slope of the law; otherwise it follows from
+    /// `eta0`, `roelands_z` and `roelands_p0`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub alpha: Option<f64>,
-    /// Temperature at which `eta0` and `alpha` hold \[K\]; with `roelands_s0` the viscosity follows the bulk
+    /// Temperature at which `eta0` and `alpha` hold \[K\]. With `roelands_s0`, the viscosity depends on the bulk
     /// temperature.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub temperature: Option<f64>,
-    /// Index of temperature in the law of Roelands, see
+    /// Temperature index of the law of Roelands, see
     /// [`ThermalRoelands`](crate::lubricant::ThermalRoelands).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub roelands_s0: Option<f64>,
-    /// Another law of viscosity, in place of that of Roelands.
+    /// Another viscosity law in place of that of Roelands.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub viscosity: Option<ViscositySpec>,
-    /// Pressure-viscosity coefficient \[1/Pa\] of the film formulas alone, where the data sheet states
-    /// another one than the slope of the viscosity law; absent: that slope.
+    /// Pressure-viscosity coefficient \[1/Pa\] for film formulas only, if the data sheet states another one than
+    /// the slope of the viscosity law. Default: that slope.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub formula_alpha: Option<f64>,
     /// Dowson-Higginson `a` \[1/Pa\].
     pub density_a: f64,
     /// Dowson-Higginson `b` \[1/Pa\].
     pub density_b: f64,
-    /// Film thickness that the inlet edge of the box is supplied with \[m\]; none for a flooded inlet. Needs
-    /// cavitation that conserves mass.
+    /// Thickness of the film supplied at the inlet edge of the box \[m\]; `None` for a flooded inlet. Needs
+    /// mass-conserving cavitation.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub supplied_film: Option<f64>,
-    /// Where the oil begins.
+    /// Position of the oil supply.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "InletSpec::is_flooded"))]
     pub inlet: InletSpec,
-    /// Thermal properties, with which the film has a temperature of its own; absent: the bulk temperature.
-    /// Needs a viscosity that knows temperature.
+    /// Thermal properties of the fluid. If given, the film temperature is computed; otherwise the film is
+    /// isothermal. Needs a viscosity law that depends on temperature.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub thermal: Option<FilmThermal>,
 }
 
 impl LubricantSpec {
-    /// Roelands' law with the viscosity `eta0` \[Pa s\] at ambient pressure and the exponent `roelands_z`;
-    /// all else is as in scenes that do not say.
+    /// Roelands' law with the viscosity `eta0` \[Pa s\] at ambient pressure and the index `roelands_z`. All other
+    /// fields have the defaults of scene files.
     pub const fn roelands(eta0: f64, roelands_z: f64) -> Self {
         Self {
             eta0,
@@ -107,7 +107,7 @@ with_fields!(LubricantSpec {
     with_thermal thermal: Option<FilmThermal>,
 });
 
-/// Where the oil in front of a contact begins.
+/// Position of the oil supply upstream of a contact.
 ///
 /// # Examples
 ///
@@ -122,11 +122,11 @@ with_fields!(LubricantSpec {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum InletSpec {
-    /// Far away: the film does not depend on the box. Where a box cuts the inlet, the smooth contact in a wider box
-    /// tells the pressures at its edge.
+    /// Far upstream: the film does not depend on the box. If the box cuts the inlet, the pressure at its edge is
+    /// that of the smooth contact in a wider box.
     #[default]
     Flooded,
-    /// At the edges of the box, where the pressure is ambient: a meniscus there.
+    /// At the edges of the box: ambient pressure at a meniscus there.
     BoxEdge,
 }
 
@@ -138,7 +138,7 @@ impl InletSpec {
     }
 }
 
-/// A law of viscosity by pressure and temperature, at the bulk temperature.
+/// A viscosity law of pressure and temperature, evaluated at the bulk temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -147,12 +147,12 @@ impl InletSpec {
 )]
 #[non_exhaustive]
 pub enum ViscositySpec {
-    /// Exponential in the pressure: [`Barus`](crate::lubricant::Barus).
+    /// Exponential in pressure: [`Barus`](crate::lubricant::Barus).
     Barus(BarusConstants),
     /// Free volume, with the density of Tait in place of that of Dowson and Higginson:
     /// [`DoolittleTait`](crate::lubricant::DoolittleTait).
     DoolittleTait(DoolittleTaitConstants),
-    /// By the distance to the glass transition: [`ImprovedYasutomi`](crate::lubricant::ImprovedYasutomi).
+    /// Distance from the glass transition: [`ImprovedYasutomi`](crate::lubricant::ImprovedYasutomi).
     ImprovedYasutomi(ImprovedYasutomiConstants),
 }
 
@@ -175,7 +175,7 @@ pub struct BarusConstants {
     pub alpha: f64,
 }
 
-/// What a scene file holds.
+/// `[lubricant]` as written in a scene file.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -219,7 +219,7 @@ impl TryFrom<LubricantTable> for LubricantSpec {
             ("density_a", table.density_a, usual.density_a),
             ("density_b", table.density_b, usual.density_b),
         ];
-        // Scenes are written with all their values: those that change nothing pass.
+        // Scenes are written with all their values: accept default values.
         let refuse = |keys: &[(&str, Option<f64>, f64)], reason: &str| {
             let stray = keys.iter().find(|(_, value, usual)| value.is_some_and(|value| value - usual != 0.0));
             stray.map_or(Ok(()), |(key, ..)| Err(format!("unknown key `{key}`, `viscosity` {reason}")))

@@ -23,7 +23,7 @@ pub struct Materials {
     pub disc: Material,
 }
 
-/// Properties of one body; what is absent is that of the pair.
+/// Properties of one body; absent ones are those of the pair.
 ///
 /// # Examples
 ///
@@ -31,7 +31,7 @@ pub struct Materials {
 /// use stribeck::sim::scene::{Material, NamedMaterial};
 /// let steel = Material::default().with_material(Some(NamedMaterial::Steel));
 /// assert_eq!((steel.young_modulus(), steel.poisson()), (Some(206e9), Some(0.3)));
-/// assert_eq!(steel.with_modulus(Some(210e9)).young_modulus(), Some(210e9)); // its own comes first
+/// assert_eq!(steel.with_modulus(Some(210e9)).young_modulus(), Some(210e9)); // takes precedence
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(
@@ -41,13 +41,13 @@ pub struct Materials {
 )]
 #[non_exhaustive]
 pub struct Material {
-    /// A material by name, which gives modulus and Poisson's ratio where they are absent.
+    /// A material by name, with default modulus and Poisson's ratio.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub material: Option<NamedMaterial>,
-    /// Young's modulus \[Pa\]; in place of `elastic.equivalent_modulus`, of both bodies or none.
+    /// Young's modulus \[Pa\] in place of `elastic.equivalent_modulus`; give it for both bodies or neither.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub modulus: Option<f64>,
-    /// Poisson's ratio; with `modulus`.
+    /// Poisson's ratio; requires `modulus`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub poisson: Option<f64>,
     /// Hardness \[Pa\], in place of `plastic.hardness` and `wear.hardness`.
@@ -81,7 +81,7 @@ with_fields!(Material {
 /// use stribeck::sim::Scene;
 /// use stribeck::sim::scene::{Elastic, NamedMaterial};
 /// let mut scene = Scene::azam_2019(32);
-/// scene.elastic = Elastic::default(); // the moduli of the materials count
+/// scene.elastic = Elastic::default(); // use the moduli of the materials
 /// scene.materials.ball.material = Some(NamedMaterial::Steel);
 /// scene.materials.disc.material = Some(NamedMaterial::Steel);
 /// assert!((scene.equivalent_modulus()? / (206e9 / 0.91) - 1.0).abs() < 1e-12);
@@ -112,26 +112,26 @@ impl NamedMaterial {
         }
     }
 
-    /// Poisson's ratio, 0.3 of all.
+    /// Poisson's ratio, 0.3 for all.
     pub fn poisson(self) -> f64 {
         0.3
     }
 }
 
 impl Material {
-    /// Young's modulus \[Pa\]: its own, else that of the named material.
+    /// Young's modulus \[Pa\]: the given one, or that of the named material.
     pub fn young_modulus(&self) -> Option<f64> {
         self.modulus.or(self.material.map(NamedMaterial::modulus))
     }
 
-    /// Poisson's ratio: its own, else that of the named material.
+    /// Poisson's ratio: the given one, or that of the named material.
     pub fn poisson(&self) -> Option<f64> {
         self.poisson.or(self.material.map(NamedMaterial::poisson))
     }
 }
 
 impl Materials {
-    /// Whether all properties are those of the pair.
+    /// Whether all properties are absent.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }
@@ -141,7 +141,7 @@ impl Materials {
         [&self.ball, &self.disc]
     }
 
-    /// `E'` \[Pa\] of the moduli, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`; none where no modulus is given.
+    /// `E'` \[Pa\] of the moduli, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`; `None` if no modulus is given.
     fn equivalent_modulus(&self) -> Result<Option<f64>, InputError> {
         let given = |body: &&Material| body.young_modulus().is_some() || body.poisson().is_some();
         if !self.bodies().iter().any(given) {
@@ -153,7 +153,7 @@ impl Materials {
                 let field = format!("materials.{name}.{key}");
                 value.map(|value| (field.clone(), value)).ok_or_else(|| InputError::Conflict {
                     field,
-                    reason: "is missing: elastic constants are given for both bodies or none".to_owned(),
+                    reason: "is missing: give elastic constants for both bodies or neither".to_owned(),
                 })
             };
             let (field, modulus) = required("modulus", body.young_modulus())?;
@@ -169,7 +169,7 @@ impl Materials {
 }
 
 impl Scene {
-    /// `E'` \[Pa\] of the pair: that of the moduli of both materials where they are given, else
+    /// `E'` \[Pa\] of the pair: from the moduli of both materials if given, otherwise
     /// `elastic.equivalent_modulus`.
     ///
     /// ```
@@ -184,7 +184,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// A value out of range, a modulus or ratio that is missing, both ways at once with different results.
+    /// A value out of range, a missing modulus or ratio, both ways at once with different results.
     pub fn equivalent_modulus(&self) -> Result<f64, InputError> {
         let (field, given) = ("elastic.equivalent_modulus", self.elastic.equivalent_modulus);
         match self.materials.equivalent_modulus()? {
@@ -203,7 +203,7 @@ impl Scene {
         }
     }
 
-    /// Hardness of ball and disc \[Pa\], `common` where a material has none of its own.
+    /// Hardness of ball and disc \[Pa\]; `common` for a material without hardness.
     pub(in crate::sim) fn hardnesses(&self, common: f64) -> [f64; 2] {
         self.materials.bodies().map(|body| body.hardness.unwrap_or(common))
     }
@@ -216,7 +216,7 @@ impl Scene {
         })
     }
 
-    /// Checks the materials but for their moduli.
+    /// Checks the materials except their moduli.
     pub(in crate::sim) fn validate_materials(&self) -> Result<(), InputError> {
         for (name, body) in BODIES.into_iter().zip(self.materials.bodies()) {
             for (key, value) in [

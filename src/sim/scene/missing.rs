@@ -1,8 +1,8 @@
-//! All keys that a scene file lacks: the parser tells the first alone.
+//! All keys missing from a scene file; the parser reports only the first one.
 //!
-//! A table that is given is looked through for the keys that its kind or law cannot do without; a table that
-//! is not given is missing only where every scene has it (`form`, `load`, `grid`), `elastic` where no materials
-//! give the moduli, `motion` where there is an oil.
+//! In a given table, the keys required by its kind or law are checked. A missing table is reported if every scene
+//! needs it (`form`, `load`, `grid`), if no materials give the moduli (`elastic`), or if there is a lubricant
+//! (`motion`).
 
 use toml::Table;
 
@@ -15,7 +15,7 @@ const DOOLITTLE_TAIT: [&str; 9] =
 const IMPROVED_YASUTOMI: [&str; 8] =
     ["glass_viscosity", "glass_temperature", "a1", "a2", "b1", "b2", "c1", "c2"];
 
-/// Paths of the keys without which the tables of `scene` cannot be read, in the order of the document.
+/// Paths of the required keys missing from the tables of `scene`, in document order.
 pub(super) fn keys(scene: &Table) -> Vec<String> {
     let mut search = Search { scene, missing: Vec::new() };
     search.bodies();
@@ -25,10 +25,10 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
     search.missing
 }
 
-/// What has been looked through of a scene.
+/// Search for missing keys of a scene.
 struct Search<'a> {
     scene: &'a Table,
-    /// Paths of keys that are missing.
+    /// Paths of missing keys.
     missing: Vec<String>,
 }
 
@@ -37,7 +37,7 @@ impl<'a> Search<'a> {
     fn bodies(&mut self) {
         let ellipsoid = self.text("form", "kind") == Some("ellipsoid");
         self.look("form", if ellipsoid { &["kind", "radius_x", "radius_y"] } else { &["kind", "radius"] });
-        // Materials give the modulus, and a layer stands on either.
+        // Materials may give the modulus; a layer needs either.
         if !self.scene.contains_key("materials") {
             self.look("elastic", &["equivalent_modulus"]);
         }
@@ -62,7 +62,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Cells, or their accuracy.
+    /// Cells or their accuracy.
     fn grid(&mut self) {
         let row = self.text("form", "kind") == Some("cylinder");
         let row = row && !self.has("grid", "ny") && !self.has("grid", "y");
@@ -76,7 +76,7 @@ impl<'a> Search<'a> {
         self.look("grid", keys);
     }
 
-    /// Roughness and what changes it.
+    /// Roughness, tribofilm and wear.
     fn surfaces(&mut self) {
         for body in ["roughness.ball", "roughness.disc"] {
             let keys: &[&str] = match self.text(body, "kind") {
@@ -102,7 +102,7 @@ impl<'a> Search<'a> {
         self.look("wear", if energy { &["exposure", "volume_per_energy"] } else { &["exposure"] });
     }
 
-    /// Notes which `keys` the table at `path` lacks, or that there is no such table where every scene has it.
+    /// Records the `keys` missing from the table at `path`, or the table itself if every scene needs it.
     fn look(&mut self, path: &str, keys: &[&str]) {
         match self.table(path) {
             Some(given) => {
@@ -117,7 +117,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The table at the path of names with dots between them.
+    /// The table at a path of names separated by dots.
     fn table(&self, path: &str) -> Option<&'a Table> {
         let mut parts = path.split('.');
         let first = self.scene.get(parts.next()?)?.as_table();

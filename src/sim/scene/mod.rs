@@ -1,10 +1,10 @@
-//! The physical description of a contact and its history: what a scene file holds.
+//! The physical description of a contact and its history: the contents of a scene file.
 //!
-//! One file a table. A table is a plain struct of SI numbers with the reader of its part of the file beside
-//! it; what it means in the contact is made elsewhere (`setup`, `builder`). Readers refuse keys that nobody
-//! reads; ranges are checked where a scene is used, with the key in front of the value.
+//! One file per table. A table is a plain struct of SI values beside the reader of its part of the file. The parts
+//! of the model are built from it elsewhere (`setup`, `builder`). Readers reject unknown keys; ranges are checked
+//! when a scene is used, and errors name the key.
 //!
-//! [`Scene::azam_2019`] is a complete scene to start from.
+//! [`Scene::azam_2019`] is a complete example.
 
 mod elastic;
 #[cfg(feature = "serde")]
@@ -56,10 +56,10 @@ pub use wear::{ArchardSpec, FrictionalEnergySpec, WearLawSpec, WearSpec};
 
 use crate::surface::Form;
 
-/// Everything that defines a contact. All SI; every table that is absent is physics that is not modelled.
+/// Complete definition of a contact, in SI units. Leave out a table to leave out its physics.
 ///
-/// With the feature `serde` a scene is read from and written to TOML; unknown keys are errors that name the
-/// key. The keys are the field names; the pages `docs/scene*.md` list them with units and defaults.
+/// With the feature `serde` a scene is read from and written to TOML; errors name unknown keys. Keys are the field
+/// names; the pages `docs/scene*.md` list them with units and defaults.
 ///
 /// # Examples
 ///
@@ -84,15 +84,15 @@ pub struct Scene {
     /// Elastic constants.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Elastic::is_absent"))]
     pub elastic: Elastic,
-    /// Materials of the bodies, where they differ or their moduli are given one by one.
+    /// Materials of the bodies, if they differ or their moduli are given separately.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Materials::is_empty"))]
     pub materials: Materials,
     /// Normal load.
     pub load: Load,
-    /// Speeds; needed where there is a lubricant, sliding or a history.
+    /// Speeds; required with a lubricant, sliding or a history.
     #[cfg_attr(feature = "serde", serde(default))]
     pub motion: Motion,
-    /// The lubricant; absent: dry contact.
+    /// The lubricant; absent for a dry contact.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lubricant: Option<LubricantSpec>,
     /// The grid.
@@ -101,16 +101,16 @@ pub struct Scene {
     /// Roughness of the two bodies.
     #[cfg_attr(feature = "serde", serde(default))]
     pub roughness: RoughnessPair,
-    /// Plastic limit; absent: elastic.
+    /// Plastic limit; absent for elastic bodies.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub plastic: Option<PlasticSpec>,
-    /// Friction coefficients for heat and the friction output.
+    /// Friction coefficients.
     #[cfg_attr(feature = "serde", serde(default))]
     pub friction: FrictionSpec,
-    /// Growth of a tribofilm; absent: none.
+    /// Growth of a tribofilm; absent for no film.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub tribofilm: Option<TribofilmSpec>,
-    /// Wear; absent: none.
+    /// Wear; absent for no wear.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub wear: Option<WearSpec>,
     /// Motion of the roughness and exposure of the track in a history.
@@ -119,20 +119,20 @@ pub struct Scene {
     /// Temperatures.
     #[cfg_attr(feature = "serde", serde(default))]
     pub thermal: ThermalSpec,
-    /// Conditions that change in time; a single contact is that of the start.
+    /// Conditions over time; a single contact uses those at time zero.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Schedules::is_empty"))]
     pub schedule: Schedules,
-    /// Stresses below the surface of a single contact; absent: none.
+    /// Stresses below the surface of a single contact; absent if not computed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub stress: Option<StressSpec>,
-    /// How the contact problem is solved.
+    /// Solver of the contact problem.
     #[cfg_attr(feature = "serde", serde(default))]
     pub solver: SolverSpec,
 }
 
 impl Scene {
-    /// The scene of Azam et al. (2019): steel ball on rough disc, base oil at 80 C, two hours of rubbing,
-    /// without a tribofilm. Autocorrelation, its length and the seeds are choices the paper leaves open.
+    /// The scene of Azam et al. (2019): steel ball on rough disc, base oil at 80 C, two hours of sliding, without a
+    /// tribofilm. The paper does not state autocorrelation, correlation length and seeds; they are chosen here.
     ///
     /// ```
     /// let scene = stribeck::sim::Scene::azam_2019(128);

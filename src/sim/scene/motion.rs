@@ -1,4 +1,4 @@
-//! Speeds of the surfaces at the point of first touch, and whether they turn.
+//! Speeds of the surfaces at the point of first contact, and spin.
 //!
 //! With the speeds `u1` of the ball and `u2` of the disc along x, the entrainment speed is `(u1 + u2)/2` and
 //! the slide-roll ratio `(u1 - u2)` over it.
@@ -23,16 +23,16 @@
 pub struct Motion {
     /// Mean of the two surface speeds \[m/s\].
     pub entrainment_speed: f64,
-    /// Sliding speed over entrainment speed; the ball is the faster one where it is positive.
+    /// Sliding speed over entrainment speed; positive if the ball is faster.
     pub slide_roll_ratio: f64,
-    /// Radius of spin `R` \[m\]: the mean motion of the surfaces turns about the point (0, `R`), as
-    /// `u = U (1 - y/R)` along x and `v = U x/R` along y; beyond the box on either side. Absent: no spin.
+    /// Radius of spin `R` \[m\]: the mean motion of the surfaces is a rotation about the point (0, `R`), with
+    /// `u = U (1 - y/R)` along x and `v = U x/R` along y. The point must be outside the box. Absent: no spin.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub spin_radius: Option<f64>,
 }
 
 impl Motion {
-    /// An entrainment speed \[m/s\] and a slide-to-roll ratio.
+    /// An entrainment speed \[m/s\] and a slide-roll ratio.
     pub const fn new(entrainment_speed: f64, slide_roll_ratio: f64) -> Self {
         Self { entrainment_speed, slide_roll_ratio, spin_radius: None }
     }

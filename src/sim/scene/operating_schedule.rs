@@ -1,11 +1,11 @@
-//! Load, speeds and bulk temperature of a history, at any time.
+//! Load, speeds and bulk temperature of a history as functions of time.
 
 use crate::error::InputError;
 use crate::reynolds::{LEAST_SPEED, SPEED_REQUIREMENT};
 use crate::sim::scene::time_series::TimeSeries;
 use crate::sim::scene::{Motion, Scene, Schedule};
 
-/// What acts on a contact from outside.
+/// Operating conditions of a contact.
 ///
 /// # Examples
 ///
@@ -14,7 +14,7 @@ use crate::sim::scene::{Motion, Scene, Schedule};
 /// let sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
 /// let mut conditions = sim.conditions();
 /// conditions.motion.entrainment_speed = 1.0;
-/// // The bodies as they stand under another speed, without a step:
+/// // The present bodies at another speed, without a step:
 /// let faster = sim.clone().solve_under(&conditions)?;
 /// assert!(faster.moes.map(|moes| moes.m) < sim.scene().formula_film()?.map(|film| film.moes.m));
 /// # Ok::<(), stribeck::sim::SimError>(())
@@ -23,7 +23,7 @@ use crate::sim::scene::{Motion, Scene, Schedule};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Conditions {
-    /// Normal load \[N\]; of a line contact that of one metre of its length.
+    /// Normal load \[N\]; of a line contact per metre of its length.
     pub load: f64,
     /// Speeds of the surfaces.
     pub motion: Motion,
@@ -34,7 +34,7 @@ pub struct Conditions {
 /// Conditions as functions of time.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct OperatingSchedule {
-    /// Conditions of the scene, which hold where nothing is scheduled.
+    /// Conditions of the scene, where nothing is scheduled.
     base: Conditions,
     /// Load over time \[N\].
     load: Option<TimeSeries>,
@@ -47,11 +47,11 @@ pub(in crate::sim) struct OperatingSchedule {
 }
 
 impl Scene {
-    /// What holds at `time` \[s\]: the values of the schedules, of the scene where there is none.
+    /// The conditions at `time` \[s\]: values of the schedules, or of the scene without a schedule.
     ///
     /// # Errors
-    /// A load, form or modulus out of range, a schedule that goes back in time, has no value at the start or
-    /// asks for a value out of range, a table that cannot be read.
+    /// A load, form or modulus out of range; a schedule that goes back in time, has no value at the start or
+    /// contains a value out of range; a table that cannot be read.
     pub fn conditions(&self, time: f64) -> Result<Conditions, InputError> {
         InputError::require_non_negative("time", time)?;
         Ok(OperatingSchedule::new(self)?.at(time))
@@ -86,7 +86,7 @@ impl OperatingSchedule {
         Ok(Self { base, load, speed, slide_roll_ratio, temperature })
     }
 
-    /// What holds at `time` \[s\].
+    /// The conditions at `time` \[s\].
     pub(in crate::sim) fn at(&self, time: f64) -> Conditions {
         let value =
             |series: &Option<TimeSeries>, constant| series.as_ref().map_or(constant, |c| c.value(time));
@@ -101,12 +101,12 @@ impl OperatingSchedule {
         }
     }
 
-    /// Those that are scheduled.
+    /// The scheduled quantities.
     fn series(&self) -> impl Iterator<Item = &TimeSeries> {
         [&self.load, &self.speed, &self.slide_roll_ratio, &self.temperature].into_iter().flatten()
     }
 
-    /// Load \[N\] and entrainment speed \[m/s\] over time, where they are scheduled.
+    /// Load \[N\] and entrainment speed \[m/s\] over time, if scheduled.
     pub(in crate::sim) fn load_and_speed(&self) -> [Option<&TimeSeries>; 2] {
         [self.load.as_ref(), self.speed.as_ref()]
     }
@@ -123,7 +123,7 @@ impl OperatingSchedule {
         [extreme(f64::min), extreme(f64::max)].map(|load| load.unwrap_or(self.base.load))
     }
 
-    /// The conditions at the start and at all later entries; those of a jump are those after it.
+    /// The conditions at the start and at all later entries; at a jump, those after it.
     pub(in crate::sim) fn entries(&self) -> Vec<Conditions> {
         let times = self.series().flat_map(TimeSeries::times).copied().filter(|time| *time > 0.0);
         std::iter::once(0.0).chain(times).map(|time| self.at(time)).collect()
@@ -134,7 +134,7 @@ impl OperatingSchedule {
         let speeds = |time| self.at(time).motion.surface_speeds().map(|speed| speed != 0.0);
         let (mut from, mut moving) = (0.0, speeds(0.0));
         while let Some(to) = self.next_entry(from) {
-            // Products of two ramps are parabolas: one that is zero at three places between entries is zero.
+            // A product of two ramps is a parabola: if it is zero at three points between entries, it is zero everywhere.
             for share in [0.25, 0.5, 0.75, 1.0] {
                 let now = speeds(from + share * (to - from));
                 moving.iter_mut().zip(now).for_each(|(moving, now)| *moving |= now);
@@ -147,8 +147,7 @@ impl OperatingSchedule {
         moving
     }
 
-    /// Mean speeds \[m/s\] of ball and disc from the start to `time` \[s\]: what carries them as far as they
-    /// have come.
+    /// Mean speeds \[m/s\] of ball and disc from the start to `time` \[s\], for their displacements.
     pub(in crate::sim) fn mean_speeds(&self, time: f64) -> [f64; 2] {
         let changes = self.speed.is_some() || self.slide_roll_ratio.is_some();
         if !changes || time <= 0.0 {
@@ -162,8 +161,7 @@ impl OperatingSchedule {
         let (mut from, mut distances) = (0.0, [0.0; 2]);
         while from < time {
             let to = next(from);
-            // Products of two ramps are parabolas, which the two points of Gauss integrate exactly; none is
-            // at a jump.
+            // A product of two ramps is a parabola: two-point Gauss quadrature is exact, and no point lies at a jump.
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
             for point in [middle - half / 3.0_f64.sqrt(), middle + half / 3.0_f64.sqrt()] {
                 let speeds = self.at(point).motion.surface_speeds();

@@ -1,4 +1,4 @@
-//! Flattening, friction and heat.
+//! Plasticity, friction and heat.
 
 use crate::error::InputError;
 use crate::lubricant::Rheology;
@@ -48,10 +48,10 @@ with_fields!(PlasticSpec {
 /// ```
 /// use stribeck::sim::scene::FrictionSpec;
 /// let spec = FrictionSpec::default().with_eyring_stress(Some(5e6));
-/// // The stress of Eyring's fluid grows with the logarithm of the rate: 1 Pa s at 1e8 1/s.
+/// // The stress of Eyring's fluid grows with the logarithm of the shear rate: 1 Pa s at 1e8 1/s.
 /// let stress = spec.rheology()?.shear_stress(1.0, 1e8);
 /// assert!((stress / (5e6 * 20.0_f64.asinh()) - 1.0).abs() < 1e-12);
-/// // Carreau's two constants come together.
+/// // Carreau's law needs both constants.
 /// assert!(FrictionSpec::default().with_carreau_stress(Some(5e6)).rheology().is_err());
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
@@ -63,32 +63,32 @@ with_fields!(PlasticSpec {
 )]
 #[non_exhaustive]
 pub struct FrictionSpec {
-    /// Boundary friction coefficient of solid contact, of bare surfaces where `film_coefficient` is given.
+    /// Boundary friction coefficient; of bare surfaces if `film_coefficient` is given.
     pub boundary_coefficient: f64,
-    /// Boundary friction coefficient of surfaces that a tribofilm covers; absent: as that of bare ones. See
+    /// Boundary friction coefficient of surfaces covered by a tribofilm; default: that of bare ones. See
     /// [`FilmFriction`](crate::FilmFriction).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub film_coefficient: Option<f64>,
-    /// Tribofilm of both bodies together \[m\] from which on they count as covered; absent:
+    /// Total tribofilm thickness of both bodies \[m\] at which they count as covered; default:
     /// `tribofilm.maximum_thickness`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub covering_thickness: Option<f64>,
-    /// Largest shear stress that the fluid carries \[Pa\].
+    /// Limiting shear stress of the fluid \[Pa\].
     pub limiting_shear_stress: f64,
-    /// Eyring stress of the fluid \[Pa\]; absent: Newtonian.
+    /// Eyring stress of the fluid \[Pa\]; absent for a Newtonian fluid.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub eyring_stress: Option<f64>,
-    /// Stress \[Pa\] where Carreau's shear thinning sets in; with `carreau_exponent`, in place of
+    /// Stress \[Pa\] at the onset of Carreau's shear thinning; with `carreau_exponent`, in place of
     /// `eyring_stress`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub carreau_stress: Option<f64>,
     /// Exponent of Carreau's shear thinning.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub carreau_exponent: Option<f64>,
-    /// Largest shear stress that the fluid carries over its pressure, in place of `limiting_shear_stress`.
+    /// Limiting shear stress over pressure, in place of `limiting_shear_stress`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub limiting_stress_coefficient: Option<f64>,
-    /// Viscosity that sliding leaves the flow by pressure; absent: that of the Newtonian fluid.
+    /// Shear-thinned viscosity of the pressure flow; absent: Newtonian viscosity.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub flow_thinning: Option<FlowThinning>,
 }
@@ -109,8 +109,8 @@ impl FrictionSpec {
     /// Shear stress law of the fluid.
     ///
     /// # Errors
-    /// A stress, exponent or coefficient out of range, one of Carreau's two constants alone, or with that of
-    /// Eyring.
+    /// A stress, exponent or coefficient out of range; one of Carreau's constants without the other, or together
+    /// with an Eyring stress.
     pub fn rheology(&self) -> Result<Rheology, InputError> {
         InputError::require_positive("friction.limiting_shear_stress", self.limiting_shear_stress)?;
         let conflict = |field: &str, reason: &str| {
@@ -132,11 +132,10 @@ impl FrictionSpec {
         }
     }
 
-    /// Shear thinning of the flow by pressure at `sliding_speed` \[m/s\]; none where it is not asked for.
+    /// Shear thinning of the pressure flow at `sliding_speed` \[m/s\]; `None` if not modelled.
     ///
     /// # Errors
-    /// A speed below zero; a Newtonian fluid where thinning is asked for; what [`FrictionSpec::rheology`]
-    /// refuses.
+    /// A negative speed; a Newtonian fluid with `flow_thinning`; the errors of [`FrictionSpec::rheology`].
     pub fn shear_thinning(&self, sliding_speed: f64) -> Result<Option<ShearThinning>, InputError> {
         let Some(flow) = self.flow_thinning else { return Ok(None) };
         if self.eyring_stress.is_none() && self.carreau_stress.is_none() {
@@ -155,14 +154,14 @@ impl FrictionSpec {
     }
 }
 
-/// Viscosity that sliding leaves the flow by pressure, see [`ShearThinning`].
+/// Shear-thinned viscosity of the pressure flow, see [`ShearThinning`].
 ///
 /// # Examples
 ///
 /// ```
 /// use stribeck::sim::scene::{FlowThinning, FrictionSpec};
 /// let eyring = FrictionSpec::default().with_eyring_stress(Some(5e6));
-/// assert!(eyring.shear_thinning(1.0)?.is_none()); // not asked for
+/// assert!(eyring.shear_thinning(1.0)?.is_none()); // off by default
 /// let thinned = eyring.with_flow_thinning(Some(FlowThinning::Effective));
 /// assert!(thinned.shear_thinning(1.0)?.is_some());
 /// assert!(FrictionSpec::default().with_flow_thinning(Some(FlowThinning::Effective)).shear_thinning(1.0).is_err());
@@ -172,9 +171,9 @@ impl FrictionSpec {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum FlowThinning {
-    /// The effective viscosity of the sliding film in all directions.
+    /// The effective viscosity of the sheared film, in all directions.
     Effective,
-    /// Along the sliding direction the tangent of the stress by the rate, across it the effective viscosity.
+    /// Along sliding the derivative of the stress by the shear rate, across it the effective viscosity.
     Directional,
 }
 
@@ -213,7 +212,7 @@ impl Default for FrictionSpec {
 pub struct ThermalSpec {
     /// Bulk temperature \[K\].
     pub bulk_temperature: f64,
-    /// Flash temperature: computed, left out, or by its estimate.
+    /// Flash temperature: on, off or automatic.
     pub flash: Flash,
     /// Thermal conductivity \[W/(m K)\].
     pub conductivity: f64,
@@ -239,11 +238,11 @@ impl Default for ThermalSpec {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Flash {
-    /// Computed where its estimate is 1 K or more.
+    /// Computed if its estimate is 1 K or more.
     #[default]
     Auto,
     /// Computed.
     On,
-    /// Left out.
+    /// Not computed.
     Off,
 }

@@ -43,8 +43,8 @@ pub enum Roughness {
     /// Smooth.
     #[default]
     None,
-    /// Random: of a Gaussian or exponential autocorrelation or self-affine. The kinds `gaussian`,
-    /// `exponential` and `self_affine` of scene files name the shape.
+    /// Random: Gaussian or exponential autocorrelation, or self-affine. In scene files the kinds are `gaussian`,
+    /// `exponential` and `self_affine`.
     Random(RandomSurface),
     /// Dimples or grooves.
     Texture(Texture),
@@ -52,14 +52,14 @@ pub enum Roughness {
     File(FileRoughness),
 }
 
-/// The shortest waves of a surface along x and y.
+/// The shortest wavelengths of a surface along x and y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::sim) enum ShortestWaves {
-    /// As long as this \[m\]; infinite where there are none.
+    /// This long \[m\]; infinite for a flat surface.
     Of([f64; 2]),
-    /// Down to any length.
+    /// Waves of any length.
     Endless,
-    /// Not known before the heights are.
+    /// Unknown until the heights are known.
     Unknown,
 }
 
@@ -70,8 +70,8 @@ impl From<RoughnessSpec> for Roughness {
 }
 
 impl Roughness {
-    /// Random roughness of the root mean square height `rq` \[m\] whose Gaussian autocorrelation falls to 10
-    /// % at `length` \[m\] in all directions; equal seeds give equal surfaces.
+    /// Random roughness of root mean square height `rq` \[m\] with an isotropic Gaussian autocorrelation that falls
+    /// to 10 % at `length` \[m\]; equal seeds give equal surfaces.
     pub fn gaussian(rq: f64, length: f64, seed: u64) -> Self {
         let autocorrelation = Autocorrelation::Gaussian;
         RoughnessSpec { autocorrelation, rq, length_x: length, length_y: length, seed }.into()
@@ -86,7 +86,7 @@ impl Roughness {
         }
     }
 
-    /// Root mean square height that is asked for \[m\]; none where none is.
+    /// Requested root mean square height \[m\]; `None` if unspecified.
     pub(in crate::sim) fn rq(&self) -> Option<f64> {
         match self {
             Self::Random(surface) => Some(surface.rq),
@@ -95,7 +95,7 @@ impl Roughness {
         }
     }
 
-    /// How short the waves of the body get.
+    /// The shortest wavelengths of the body.
     pub(in crate::sim) fn shortest_waves(&self) -> ShortestWaves {
         use ShortestWaves::{Endless, Of, Unknown};
         if self.is_smooth() {
@@ -123,9 +123,9 @@ impl Roughness {
 /// A file of heights.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileRoughness {
-    /// Path, relative to the scene file, in any format of [`crate::surface`]. A file without spacings (`.npy`
-    /// of shape (ny, nx)) is taken node by node, heights in metres, positive out of the body; one with
-    /// spacings is levelled, mirror-tiled and resampled to the grid.
+    /// Path relative to the scene file, in any format of [`crate::surface`]. A file without spacings (`.npy` of
+    /// shape (ny, nx)) has one height per node in metres, positive out of the body. A file with spacings is
+    /// levelled, mirror-tiled and resampled to the grid.
     pub path: PathBuf,
     /// Root mean square height to rescale to \[m\].
     pub rq: Option<f64>,

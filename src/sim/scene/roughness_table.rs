@@ -1,8 +1,8 @@
-//! What `[roughness.ball]` and `[roughness.disc]` of a scene file hold.
+//! The tables `[roughness.ball]` and `[roughness.disc]` of a scene file.
 //!
-//! A table in a file is flat, one `kind` and the keys of that kind; [`Roughness`] in memory is an enum that
-//! holds no more than its kind needs. Both ways between them are here. A new kind of surface is a variant of
-//! `RoughnessKind`, its keys, and a function each way.
+//! A table in a file is flat: one `kind` and the keys of that kind. [`Roughness`] in memory is an enum with only the
+//! fields of its kind. This file converts in both directions. A new kind of surface needs a variant of
+//! `RoughnessKind`, its keys, and a function for each direction.
 
 use std::path::PathBuf;
 
@@ -17,7 +17,7 @@ use crate::surface::{
 };
 
 keyed! {
-    /// The table as it is written, all keys but `kind` optional.
+    /// The table as written; all keys except `kind` are optional.
     #[derive(Serialize, Deserialize, Default)]
     pub(super) struct RoughnessTable {
         kind: RoughnessKind;
@@ -25,25 +25,25 @@ keyed! {
         rq: f64,
         /// Correlation length along x \[m\].
         length_x: f64,
-        /// Correlation length across it \[m\].
+        /// Correlation length along y \[m\].
         length_y: f64,
         /// Hurst exponent of a self-affine surface, 0 to 1.
         hurst: f64,
         /// Wavelength above which its spectrum is flat \[m\].
         roll_off: f64,
-        /// Longest wavelength \[m\]; without it that of the grid.
+        /// Longest wavelength \[m\]; default: that of the grid.
         longest: f64,
-        /// Shortest wavelength \[m\]; without it the one of the grid.
+        /// Shortest wavelength \[m\]; default: that of the grid.
         shortest: f64,
-        /// Whether the amplitudes of waves are random as well as their phases.
+        /// Whether amplitudes of waves are random, in addition to their phases.
         synthesis: Synthesis,
-        /// Skewness of the heights; only together with `kurtosis`.
+        /// Skewness of the heights; requires `kurtosis`.
         skewness: f64,
-        /// Kurtosis of the heights, 3 of a normal distribution.
+        /// Kurtosis of the heights; 3 for a normal distribution.
         kurtosis: f64,
-        /// What Rq belongs to.
+        /// Heights that Rq refers to.
         height: HeightScale,
-        /// Whether heights go on periodically.
+        /// Periodic continuation of heights.
         boundary: Boundary,
         /// Radius of a dimple \[m\].
         radius: f64,
@@ -51,11 +51,11 @@ keyed! {
         width: f64,
         /// Depth of dimples or grooves \[m\].
         depth: f64,
-        /// Distance of dimples or grooves \[m\].
+        /// Pitch of dimples or grooves \[m\].
         pitch: f64,
-        /// Where dimples lie.
+        /// Arrangement of dimples.
         layout: Layout,
-        /// Which way grooves run.
+        /// Direction of grooves.
         direction: GrooveDirection,
         /// Seed of random heights or positions.
         #[serde(
@@ -69,7 +69,7 @@ keyed! {
     }
 }
 
-/// What `kind` says.
+/// Values of `kind`.
 #[derive(Serialize, Deserialize, Clone, Copy, Default)]
 #[serde(rename_all = "snake_case")]
 enum RoughnessKind {
@@ -83,7 +83,7 @@ enum RoughnessKind {
     File,
 }
 
-/// What `layout` says of dimples.
+/// Values of `layout`.
 #[derive(Serialize, Deserialize, Clone, Copy, PartialEq)]
 #[serde(rename_all = "snake_case")]
 enum Layout {
@@ -110,7 +110,7 @@ const SELF_AFFINE: [&str; 11] = [
 ];
 
 impl RoughnessTable {
-    /// A random surface of `shape`, its heights as the table says.
+    /// A random surface of `shape` with the height distribution of the table.
     fn random(&self, shape: RandomShape) -> Result<RandomSurface, String> {
         let distribution = match (self.skewness, self.kurtosis) {
             (None, None) => HeightDistribution::Normal,
@@ -127,7 +127,7 @@ impl RoughnessTable {
         })
     }
 
-    /// A surface by its autocorrelation; the error names a key that is missing or strays.
+    /// A surface by its autocorrelation; errors name a missing or unknown key.
     fn correlated(&self, kind: &str, autocorrelation: Autocorrelation) -> Result<Roughness, String> {
         self.reject_unknown_fields(kind, &CORRELATED)?;
         let shape = RandomShape::Correlated {
@@ -138,7 +138,7 @@ impl RoughnessTable {
         Ok(Roughness::Random(self.random(shape)?))
     }
 
-    /// A self-affine surface; the error names a key that is missing or strays.
+    /// A self-affine surface; errors name a missing or unknown key.
     fn self_affine(&self) -> Result<Roughness, String> {
         self.reject_unknown_fields("self_affine", &SELF_AFFINE)?;
         let spectrum = SelfAffine {
@@ -171,7 +171,7 @@ impl RoughnessTable {
         }))
     }
 
-    /// Grooves; the error names a key that is missing or strays.
+    /// Grooves; errors name a missing or unknown key.
     fn grooves(&self) -> Result<Roughness, String> {
         self.reject_unknown_fields("grooves", &["width", "depth", "pitch", "direction"])?;
         Ok(Roughness::Texture(Texture::Grooves {
@@ -202,7 +202,7 @@ impl TryFrom<RoughnessTable> for Roughness {
     }
 }
 
-/// What differs from the default.
+/// The value unless it is the default.
 fn unusual<T: Default + PartialEq>(value: T) -> Option<T> {
     (value != T::default()).then_some(value)
 }
@@ -221,7 +221,7 @@ impl From<Roughness> for RoughnessTable {
 }
 
 impl RoughnessTable {
-    /// The table of a random surface, without what has its default.
+    /// The table of a random surface, without default values.
     fn of_surface(surface: RandomSurface) -> Self {
         let shape = match surface.shape {
             RandomShape::Correlated { autocorrelation, length_x, length_y } => Self {

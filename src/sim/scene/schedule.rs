@@ -1,4 +1,4 @@
-//! Conditions that change in time: what a scene file holds of them.
+//! Conditions over time as written in a scene file.
 
 #[cfg(feature = "serde")]
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use crate::error::InputError;
 
-/// Schedules of a history; absent ones leave the constant value of the scene.
+/// Schedules of a history; without one the value of the scene is constant.
 ///
 /// # Examples
 ///
@@ -16,7 +16,7 @@ use crate::error::InputError;
 /// let mut scene = Scene::azam_2019(32);
 /// scene.schedule.entrainment_speed = Some(Schedule::ramps(&[(0.0, 0.1), (100.0, 0.3)]));
 /// assert!((scene.conditions(50.0)?.motion.entrainment_speed - 0.2).abs() < 1e-12);
-/// assert_eq!(scene.conditions(1e4)?.motion.entrainment_speed, 0.3); // the last value holds on
+/// assert_eq!(scene.conditions(1e4)?.motion.entrainment_speed, 0.3); // constant after the last entry
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -42,12 +42,12 @@ pub struct Schedules {
 }
 
 impl Schedules {
-    /// Whether nothing changes in time.
+    /// Whether nothing is scheduled.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }
 
-    /// Puts the numbers of tables in place of their paths.
+    /// Replaces paths of tables by their contents.
     pub(in crate::sim) fn read_tables(&mut self) -> Result<(), InputError> {
         for (key, schedule) in self.present_mut() {
             if let Schedule::Table { path } = schedule {
@@ -58,7 +58,7 @@ impl Schedules {
         Ok(())
     }
 
-    /// Takes paths of tables relative to `folder`.
+    /// Makes paths of tables relative to `folder`.
     #[cfg(feature = "serde")]
     pub(super) fn locate_tables(&mut self, folder: &Path) {
         for (_, schedule) in self.present_mut() {
@@ -68,7 +68,7 @@ impl Schedules {
         }
     }
 
-    /// The schedules that are given, with their keys.
+    /// The given schedules and their keys.
     fn present_mut(&mut self) -> impl Iterator<Item = (&'static str, &mut Schedule)> {
         [
             ("schedule.load", &mut self.load),
@@ -81,8 +81,8 @@ impl Schedules {
     }
 }
 
-/// A quantity as a function of time. Times \[s\] rise from entry to entry, and the first is 0 or earlier;
-/// after the last entry its value stays.
+/// A quantity as a function of time. Times \[s\] increase, the first is 0 or earlier; the value is constant
+/// after the last entry.
 ///
 /// ```
 /// use stribeck::sim::{Scene, Schedule};
@@ -111,7 +111,7 @@ pub enum Schedule {
         /// The value.
         value: f64,
     },
-    /// Each value holds from its time to the next.
+    /// Each value holds from its time until the next.
     Steps {
         /// Times \[s\].
         times: Vec<f64>,
@@ -125,8 +125,8 @@ pub enum Schedule {
         /// Values at these times.
         values: Vec<f64>,
     },
-    /// A file of comma-separated values: a line for each time with the time \[s\] and the value, linear in
-    /// between. Lines that begin with `#` and a first line of names are left out.
+    /// A file of comma-separated values, linear between its lines. Each line has a time \[s\] and a value. Lines that
+    /// begin with `#` and a first line of names are skipped.
     Table {
         /// The file, relative to the scene file.
         path: PathBuf,
@@ -134,13 +134,13 @@ pub enum Schedule {
 }
 
 impl Schedule {
-    /// Values that hold from their times \[s\] on: pairs of time and value.
+    /// Values that hold from their times \[s\] on, as pairs of time and value.
     pub fn steps(points: &[(f64, f64)]) -> Self {
         let (times, values) = points.iter().copied().unzip();
         Self::Steps { times, values }
     }
 
-    /// Values at times \[s\], linear in between: pairs of time and value.
+    /// Values at times \[s\], linear in between, as pairs of time and value.
     pub fn ramps(points: &[(f64, f64)]) -> Self {
         let (times, values) = points.iter().copied().unzip();
         Self::Ramps { times, values }

@@ -1,13 +1,13 @@
-//! The table `solver` of a scene, and what holds where it leaves a choice open.
+//! The table `solver` of a scene, and its defaults that depend on other tables.
 //!
-//! Schemes that are not named follow from the contact definition and, for the flow by pressure, from whether
-//! the bodies are rough.
+//! The default schemes follow from the contact definition and, for the pressure flow, from whether the bodies are
+//! rough.
 
 use super::Scene;
 use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, LubricatedContact, Scheme, StoppingRule};
 use crate::with_fields::with_fields;
 
-/// How the contact problem is solved.
+/// Solver of the contact problem and its settings.
 ///
 /// # Examples
 ///
@@ -15,7 +15,7 @@ use crate::with_fields::with_fields;
 /// use stribeck::sim::scene::{SolverKind, SolverSpec};
 /// let spec = SolverSpec::default().with_kind(SolverKind::NewtonKrylov).with_tolerance(1e-5);
 /// assert_eq!((spec.film_cutoff, spec.max_iterations), (1e-9, 20_000));
-/// assert!(spec.scheme.is_none()); // that of the contact definition
+/// assert!(spec.scheme.is_none()); // follows from the contact definition
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
@@ -25,36 +25,36 @@ use crate::with_fields::with_fields;
 )]
 #[non_exhaustive]
 pub struct SolverSpec {
-    /// Which solver.
+    /// The solver.
     pub kind: SolverKind,
-    /// Bound for every residual.
+    /// Upper bound of every residual at convergence.
     pub tolerance: f64,
     /// Largest number of outer iterations.
     pub max_iterations: u64,
-    /// What entrainment carries through faces; none for that of the contact definition, see
+    /// Entrainment flux through faces; `None` for the default of the contact definition, see
     /// [`Scene::scheme`].
     pub scheme: Option<Scheme>,
-    /// Pressure flow through the faces; none for that of the contact definition, see
+    /// Pressure flow through faces; `None` for the default of the contact definition, see
     /// [`Scene::face_mobility`].
     pub face_mobility: Option<FaceMobility>,
-    /// What holds where the fluid cavitates.
+    /// Cavitation condition; `None` for the default, see [`Scene::cavitation`].
     pub cavitation: Option<Cavitation>,
-    /// Film thickness at which solids touch \[m\].
+    /// Film thickness of solid contact \[m\].
     pub film_cutoff: f64,
-    /// What solid contact is.
+    /// Definition of solid contact.
     pub contact: ContactDefinition,
-    /// Whether errors are estimated by a second solve on half the cells along each side; single contacts on a
-    /// given grid only.
+    /// Whether errors are estimated by a second solve on half the cells along each side. Single contacts on a given
+    /// grid only.
     pub estimate: bool,
-    /// Cells of a given grid are halved until the largest of four estimated errors, those of load and area
-    /// ratio and the relative ones of mean film and friction, is at most this; single contacts only.
+    /// Target error. Cells of a given grid are halved until the estimated errors of load ratio and area ratio and
+    /// the relative errors of mean film and friction are all at most this. Single contacts only.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub accuracy: Option<f64>,
-    /// Whether a dry contact may reach the edge of the box.
+    /// Whether a dry contact may touch the edge of the box.
     pub edge_contact: bool,
-    /// Under-relaxation of the semi-system sweeps of the paper's contact.
+    /// Under-relaxation of the semi-system sweeps for the paper's contact.
     pub relaxation: f64,
-    /// Stiffening of the implicit deformation in these sweeps.
+    /// Stiffness factor of the implicit deformation in these sweeps.
     pub stiffness: f64,
 }
 
@@ -95,20 +95,20 @@ impl Default for SolverSpec {
     }
 }
 
-/// The solvers a scene can name.
+/// Solvers of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum SolverKind {
-    /// By what the scene holds, with fallback.
+    /// Chosen by the contents of the scene, with fallback.
     Auto,
     /// Full multigrid.
     Multigrid,
-    /// Semi-system line sweeps.
+    /// Line sweeps of the semi-system method.
     SemiSystem,
     /// Semismooth Newton with Krylov steps.
     NewtonKrylov,
-    /// Dry contact; a lubricant in the scene is left out.
+    /// Dry contact; a lubricant in the scene is ignored.
     Dry,
 }
 
@@ -118,8 +118,8 @@ impl Scene {
         self.lubricant.is_some() && self.solver.kind != SolverKind::Dry
     }
 
-    /// What entrainment carries through faces: the scheme named in `solver`, else the default, of first order
-    /// in the paper's contact as published.
+    /// Entrainment flux through faces: the scheme named in `solver`, or the default. The default of the published
+    /// contact of the paper is first order.
     pub fn scheme(&self) -> Scheme {
         self.solver.scheme.unwrap_or(match self.solver.contact {
             ContactDefinition::Hard => Scheme::default(),
@@ -127,8 +127,8 @@ impl Scene {
         })
     }
 
-    /// What holds where the fluid cavitates: the condition named in `solver`, else the default, Reynolds'
-    /// condition in the paper's contact as published.
+    /// The cavitation condition named in `solver`, or the default. The default of the published contact of the
+    /// paper is that of Reynolds.
     pub fn cavitation(&self) -> Cavitation {
         self.solver.cavitation.unwrap_or(match self.solver.contact {
             ContactDefinition::Hard => Cavitation::default(),
@@ -136,14 +136,14 @@ impl Scene {
         })
     }
 
-    /// The pressure flow through faces: the one named in `solver`, else that which knows edges of contacts
-    /// within a cell between rough surfaces, that of a film which is linear between nodes between smooth
-    /// ones, whose inlets are resolved, and arithmetic means in the paper's contact as published.
+    /// Pressure flow through faces: the law named in `solver`, or the default. Between rough surfaces the default
+    /// reconstructs contact edges within a cell; between smooth surfaces, whose inlets are resolved, it assumes a
+    /// linear film between nodes; for the published contact of the paper it is the arithmetic mean.
     pub fn face_mobility(&self) -> FaceMobility {
         self.face_mobility_between(self.is_smooth())
     }
 
-    /// The same between bodies that are `smooth` or not, whatever the scene says of their roughness.
+    /// The face mobility between bodies that are `smooth` or not, whatever the roughness of the scene.
     pub(in crate::sim) fn face_mobility_between(&self, smooth: bool) -> FaceMobility {
         self.solver.face_mobility.unwrap_or(match self.solver.contact {
             ContactDefinition::Hard if smooth => FaceMobility::Wedge,

@@ -1,4 +1,4 @@
-//! What is asked of the stresses below the surface.
+//! Stresses below the surface: the table `stress`.
 
 use super::Scene;
 use crate::error::InputError;
@@ -15,7 +15,7 @@ use crate::error::InputError;
 /// scene.stress = Some(StressSpec::default());
 /// let stress = solve_contact(&scene)?.stress.ok_or("none was asked for")?;
 /// assert!(stress.von_mises.stress > stress.orthogonal_shear.stress);
-/// assert!(stress.yield_ratio.is_none()); // no strength was given
+/// assert!(stress.yield_ratio.is_none()); // no strength given
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,16 +26,15 @@ use crate::error::InputError;
 )]
 #[non_exhaustive]
 pub struct StressSpec {
-    /// Depths at which stresses are computed, the first one the surface.
+    /// Number of depths at which stresses are computed; the first one is the surface.
     pub depths: usize,
-    /// The deepest of them \[m\]; none for 1.5 of the smaller Hertz half-width.
+    /// Largest depth \[m\]; `None` for 1.5 times the smaller Hertz half-width.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub deepest: Option<f64>,
-    /// Poisson's ratio of the disc; none for that of `materials.disc`, or 0.3. Not with a layer.
+    /// Poisson's ratio of the disc; `None` for that of `materials.disc`, or 0.3. Not with a layer.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub poisson: Option<f64>,
-    /// Tensile yield strength of the disc \[Pa\], below a layer that of the substrate, which the stresses are
-    /// put in relation to.
+    /// Tensile yield strength of the disc \[Pa\], or of the substrate below a layer, for the stress ratios.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub yield_strength: Option<f64>,
 }
@@ -47,10 +46,10 @@ impl Default for StressSpec {
 }
 
 impl StressSpec {
-    /// Poisson's ratio of steel, for a disc that has none.
+    /// Poisson's ratio of steel, the default of a disc.
     const STEEL: f64 = 0.3;
 
-    /// Checks the values; those of `scene` that contradict them.
+    /// Checks the values and their consistency with `scene`.
     pub(in crate::sim) fn validate(&self, scene: &Scene) -> Result<(), InputError> {
         let depths = self.depths as f64;
         InputError::require(
@@ -83,13 +82,13 @@ impl StressSpec {
         }
     }
 
-    /// Poisson's ratio of the disc: its own, else that of its material, else that of steel.
+    /// Poisson's ratio of the disc: the given one, or that of its material, or that of steel.
     pub(in crate::sim) fn poisson(&self, scene: &Scene) -> f64 {
         self.poisson.or(scene.materials.disc.poisson()).unwrap_or(Self::STEEL)
     }
 
-    /// The depths of a contact whose smaller half-width is `half_width` \[m\]: squares of an even spacing,
-    /// closest at the surface.
+    /// The depths for a contact of smaller half-width `half_width` \[m\]: squares of an even spacing, densest at the
+    /// surface.
     pub(in crate::sim) fn depths(&self, half_width: f64) -> Vec<f64> {
         let deepest = self.deepest.unwrap_or(1.5 * half_width);
         (0..self.depths).map(|k| deepest * (k as f64 / (self.depths - 1) as f64).powi(2)).collect()

@@ -1,5 +1,5 @@
-//! What the derived readers are too lenient for. Tables whose keys depend on `kind` are read flat: derived
-//! enums would take stray keys of a unit variant and lose the key of a value that does not fit.
+//! Checks beyond derived readers. Tables whose keys depend on `kind` are read flat: derived enums would accept
+//! unknown keys for a unit variant and lose the key of an invalid value.
 
 use std::path::PathBuf;
 
@@ -9,8 +9,8 @@ use serde::{Deserialize, Deserializer};
 use super::{GridSpec, Schedule};
 use crate::surface::Form;
 
-/// A table that is read flat: what stands before the semicolon belongs to every kind or law, the keys after
-/// it to some, each an `Option`. The keys are listed here alone.
+/// A table that is read flat. Fields before the semicolon belong to every kind or law; the keys after it belong to
+/// some kinds, each an `Option`. The keys are listed only here.
 macro_rules! keyed {
     ($(#[$meta:meta])* $vis:vis struct $name:ident {
         $($common:ident: $common_type:ty),+ ;
@@ -24,7 +24,7 @@ macro_rules! keyed {
         }
 
         impl $name {
-            /// Error for a key that is none of `known`, those of a table with the `tag`.
+            /// Error for a key that is not in `known`, the keys of a table with the `tag`.
             fn reject_unknown_fields(&self, tag: &str, known: &[&str]) -> Result<(), String> {
                 let given = [$((stringify!($key), self.$key.is_some())),+];
                 $crate::sim::scene::tables::reject_unknown_fields(tag, &given, known)
@@ -35,7 +35,7 @@ macro_rules! keyed {
 pub(super) use keyed;
 
 keyed! {
-    /// `[form]` as it is written.
+    /// `[form]` as written.
     #[derive(Deserialize)]
     struct FormTable {
         kind: FormKind;
@@ -50,7 +50,7 @@ keyed! {
     }
 }
 
-/// What `kind` of `[form]` says.
+/// Values of `kind` in `[form]`.
 #[derive(Deserialize, Clone, Copy)]
 #[serde(rename_all = "snake_case")]
 enum FormKind {
@@ -59,7 +59,7 @@ enum FormKind {
     Cylinder,
 }
 
-/// Reads `[form]`; a radius that the kind does not have is an error.
+/// Reads `[form]`; a radius that does not belong to the kind is an error.
 pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
     let table = FormTable::deserialize(deserializer)?;
     match table.kind {
@@ -82,13 +82,13 @@ pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D
     .map_err(D::Error::custom)
 }
 
-/// `[grid]` as it is written.
+/// `[grid]` as written.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct GridTable {
     /// Cells along x.
     nx: Option<usize>,
-    /// Cells along y; with `y` left out for a line contact.
+    /// Cells along y; omitted with `y` for a line contact.
     ny: Option<usize>,
     /// Outer edges along x \[m\].
     #[serde(default, deserialize_with = "edges")]
@@ -96,7 +96,7 @@ struct GridTable {
     /// Outer edges along y \[m\].
     #[serde(default, deserialize_with = "edges")]
     y: Option<[f64; 2]>,
-    /// Wanted relative error, in place of all the others.
+    /// Target relative error, in place of all other keys.
     accuracy: Option<f64>,
     /// Whether the box of a history grows.
     #[serde(default)]
@@ -109,7 +109,7 @@ pub(super) fn grid<'de, D: Deserializer<'de>>(deserializer: D) -> Result<GridSpe
 }
 
 impl GridTable {
-    /// Cells, a row of them, or an accuracy; a mixture is an error.
+    /// Cells, a row of cells, or an accuracy; a mixture is an error.
     fn into_spec(self) -> Result<GridSpec, String> {
         let Self { nx, ny, x, y, accuracy, grows } = self;
         if let Some(accuracy) = accuracy {
@@ -137,7 +137,7 @@ impl GridTable {
 }
 
 keyed! {
-    /// A table of `[schedule]` as it is written.
+    /// A table of `[schedule]` as written.
     #[derive(Deserialize)]
     pub(super) struct ScheduleTable {
         kind: ScheduleKind;
@@ -145,14 +145,14 @@ keyed! {
         value: f64,
         /// Times of steps or ramps \[s\].
         times: Vec<f64>,
-        /// Values from each of the times on, or at them.
+        /// Values at these times, or from them on.
         values: Vec<f64>,
-        /// File with columns of times and values.
+        /// File with a column of times and one of values.
         path: PathBuf,
     }
 }
 
-/// What `kind` of a schedule says.
+/// Values of `kind` in a schedule.
 #[derive(Deserialize, Clone, Copy)]
 #[serde(rename_all = "snake_case")]
 enum ScheduleKind {
@@ -193,7 +193,7 @@ impl TryFrom<ScheduleTable> for Schedule {
     }
 }
 
-/// Exactly two numbers: the parser would drop further ones in silence.
+/// Reads exactly two numbers; the parser would silently drop further ones.
 fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>, D::Error> {
     let edges = Vec::<f64>::deserialize(deserializer)?;
     <[f64; 2]>::try_from(edges.as_slice()).map(Some).map_err(|_| {
@@ -204,7 +204,7 @@ fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>,
     })
 }
 
-/// Error for a key of `given` that is none of `known`, those of a table with the `tag`.
+/// Error for a key of `given` that is not in `known`, the keys of a table with the `tag`.
 pub(super) fn reject_unknown_fields(tag: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
     match given.iter().find(|(key, present)| *present && !known.contains(key)) {
         None => Ok(()),
@@ -220,7 +220,7 @@ pub(super) fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
     value.ok_or_else(|| format!("missing field `{key}`"))
 }
 
-/// Seeds have 64 bits, integers of TOML 63: larger ones are written as text.
+/// Seeds have 64 bits, TOML integers 63: larger seeds are written as text.
 pub(super) mod seed {
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serializer};
@@ -228,7 +228,7 @@ pub(super) mod seed {
     /// Requirement on a seed, for messages.
     const A_SEED: &str = "a seed is a whole number from 0 to 2^64 - 1";
 
-    /// A seed as it is written, and numbers that are none.
+    /// A seed as written, or an invalid number.
     #[derive(Deserialize)]
     #[serde(untagged)]
     enum Seed {
@@ -238,7 +238,7 @@ pub(super) mod seed {
         Real(f64),
     }
 
-    /// Writes a seed, as text where TOML has no integer for it.
+    /// Writes a seed, as text if it exceeds the integers of TOML.
     pub(in crate::sim) fn serialize<S: Serializer>(seed: &u64, serializer: S) -> Result<S::Ok, S::Error> {
         match i64::try_from(*seed) {
             Ok(_) => serializer.serialize_u64(*seed),
@@ -246,7 +246,7 @@ pub(super) mod seed {
         }
     }
 
-    /// Writes a seed that may be missing.
+    /// Writes an optional seed.
     pub(in crate::sim) fn serialize_optional<S: Serializer>(
         seed: &Option<u64>,
         serializer: S,
@@ -257,7 +257,7 @@ pub(super) mod seed {
         }
     }
 
-    /// Reads a seed, a number or text.
+    /// Reads a seed from a number or text.
     pub(in crate::sim) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
         match Seed::deserialize(deserializer) {
             Ok(Seed::Number(number)) => Ok(number),
@@ -270,7 +270,7 @@ pub(super) mod seed {
         }
     }
 
-    /// Reads a seed that may be missing.
+    /// Reads an optional seed.
     pub(in crate::sim) fn optional<'de, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Option<u64>, D::Error> {

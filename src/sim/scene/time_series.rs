@@ -1,4 +1,4 @@
-//! One scheduled quantity, checked and ready to be asked for its value.
+//! One scheduled quantity, checked.
 
 use std::path::Path;
 
@@ -6,13 +6,13 @@ use crate::error::InputError;
 use crate::sim::scene::Schedule;
 use crate::text_file;
 
-/// A time that is short of an entry by less than this share of it has reached it: sums of steps are rounded.
+/// Relative tolerance of entry times: sums of time steps are rounded.
 const ROUNDING: f64 = 1e-9;
 
-/// A quantity as a function of time, valid at every time from 0 on.
+/// A quantity as a function of time, defined for all times from 0 on.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::sim) struct TimeSeries {
-    /// Whether values hold until the next time, or lines lead to the next value.
+    /// Whether the function is piecewise constant, otherwise piecewise linear.
     jumps: bool,
     /// Ascending times \[s\].
     times: Vec<f64>,
@@ -21,7 +21,7 @@ pub(in crate::sim) struct TimeSeries {
 }
 
 impl TimeSeries {
-    /// Checks `schedule`, whose key is `field` and whose values must be `requirement`, which `fits` tells.
+    /// Checks `schedule`, whose key is `field`. Values must pass `fits`, described by `requirement`.
     pub(in crate::sim) fn new(
         schedule: &Schedule,
         field: &str,
@@ -52,7 +52,7 @@ impl TimeSeries {
         Ok(series)
     }
 
-    /// Refuses times that are none, do not increase, or begin after zero.
+    /// Rejects times that are not finite, do not increase, or begin after zero.
     fn check_times(&self, field: &str) -> Result<(), InputError> {
         let times = format!("{field}.times");
         let Some(first) = self.times.first() else {
@@ -71,7 +71,7 @@ impl TimeSeries {
         Ok(())
     }
 
-    /// Entries that `time` has reached; at least one from time 0 on.
+    /// Number of entries at or before `time`; at least one from time 0 on.
     fn reached(&self, time: f64) -> usize {
         self.times.partition_point(|entry| *entry - ROUNDING * entry.abs() <= time)
     }
@@ -105,7 +105,7 @@ impl TimeSeries {
     }
 }
 
-/// Times and values of the file of comma-separated values at `path`; `field` is the key that names it.
+/// Times and values of the file of comma-separated values at `path`, named by the key `field`.
 pub(in crate::sim) fn read_table(path: &Path, field: &str) -> Result<(Vec<f64>, Vec<f64>), InputError> {
     let unusable = |reason: String| InputError::Conflict {
         field: format!("{field}.path"),
@@ -123,7 +123,7 @@ pub(in crate::sim) fn read_table(path: &Path, field: &str) -> Result<(Vec<f64>, 
                 times.push(time);
                 values.push(value);
             }
-            // Names of the columns.
+            // A header line.
             [None, None] if first => {}
             _ => return Err(unusable(format!("line {} is not a time and a value: `{line}`", number + 1))),
         }

@@ -1,13 +1,13 @@
-//! How the bodies move past the contact, and how much of the time a point of them is in it.
+//! Motion of the bodies through the contact, and the exposure of their points to it.
 
 use crate::error::InputError;
 use crate::surface::{Advected, AlongTrack, Fixed, RandomShift, RoughnessMotion};
 
-/// Motion of the roughness in a history, tracks, and the exposure of tribofilms to the contact.
+/// Motion of the roughness in a history, tracks, and exposure of tribofilms.
 ///
 /// # Examples
 ///
-/// A disc whose roughness is met at random in both directions, a fresh place at each solve:
+/// A disc whose roughness has a new random position in both directions at each solve:
 ///
 /// ```
 /// use stribeck::sim::scene::TrackMotion;
@@ -28,16 +28,16 @@ use crate::surface::{Advected, AlongTrack, Fixed, RandomShift, RoughnessMotion};
 pub struct TrackSpec {
     /// How the roughness moves from solve to solve.
     pub motion: TrackMotion,
-    /// Seed of the places that a random motion meets.
+    /// Seed of random positions.
     #[cfg_attr(feature = "serde", serde(with = "super::tables::seed"))]
     pub seed: u64,
-    /// Time that a point of the track is in the contact, of growth and flattening; that of wear is
+    /// Exposure of a point of the track, for growth and plastic indentation; that of wear is
     /// [`WearSpec::exposure`](super::WearSpec::exposure).
     pub exposure: Exposure,
-    /// Radius of the track on the ball \[m\]; needed for [`Exposure::Track`] where the ball moves.
+    /// Radius of the track on the ball \[m\]; required for [`Exposure::Track`] if the ball moves.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub radius_ball: Option<f64>,
-    /// Radius of the track on the disc \[m\]; needed for [`Exposure::Track`] where the disc moves.
+    /// Radius of the track on the disc \[m\]; required for [`Exposure::Track`] if the disc moves.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub radius_disc: Option<f64>,
 }
@@ -58,7 +58,7 @@ pub enum TrackMotion {
     Random,
 }
 
-/// How long a point of the track is in the contact per second of the test.
+/// Time in the contact of a point of the track per second of the test.
 ///
 /// # Examples
 ///
@@ -71,7 +71,7 @@ pub enum TrackMotion {
 ///     (scene.track.radius_ball, scene.track.radius_disc) = (Some(9e-3), Some(20e-3));
 ///     Ok(MixedLubricationSim::builder(scene).build()?.step(10.0)?.wear.disc_mean)
 /// };
-/// // A point of the track is in the contact for a small share of the time.
+/// // A point of the track is in the contact for a small fraction of the time.
 /// assert!(worn(Exposure::Track)? < 0.01 * worn(Exposure::ContactClock)?);
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
@@ -79,17 +79,16 @@ pub enum TrackMotion {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Exposure {
-    /// As if the middle of the track never left the contact: for constants that were fitted to the time of a
+    /// As if the center line of the track were always in the contact: for constants fitted to the duration of a
     /// test.
     #[default]
     ContactClock,
-    /// As long as the contact takes to pass, once a round: for constants that were measured on a point of the
-    /// track.
+    /// One transit of the contact per revolution: for constants measured at a point of the track.
     Track,
 }
 
 impl TrackSpec {
-    /// The motion that the table names.
+    /// The motion named in the table.
     pub fn roughness_motion(&self) -> Box<dyn RoughnessMotion> {
         match self.motion {
             TrackMotion::AtRest => Box::new(Fixed),

@@ -1,4 +1,4 @@
-//! Growth of a tribofilm: the laws of the crate by name.
+//! Growth laws of a tribofilm by name.
 
 #[cfg(feature = "serde")]
 use super::tables::{keyed, required};
@@ -28,13 +28,13 @@ use crate::tribochem::{
 )]
 #[non_exhaustive]
 pub enum TribofilmSpec {
-    /// Growth and removal in two states: [`Ghanbarzadeh`].
+    /// Growth and removal, two states: [`Ghanbarzadeh`].
     Ghanbarzadeh(GhanbarzadehSpec),
-    /// Growth that stress speeds up: [`StressActivated`].
+    /// Stress-activated growth: [`StressActivated`].
     StressActivated(StressActivatedSpec),
-    /// Growth by temperature alone: [`ThermalArrhenius`].
+    /// Thermally activated growth: [`ThermalArrhenius`].
     ThermalArrhenius(ThermalArrheniusSpec),
-    /// Growth by shear stress against removal in proportion to the film: [`ProportionalRemoval`].
+    /// Growth by shear stress, removal in proportion to thickness: [`ProportionalRemoval`].
     ProportionalRemoval(ProportionalRemovalSpec),
 }
 
@@ -42,15 +42,15 @@ pub enum TribofilmSpec {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GhanbarzadehSpec {
-    /// Thickness that growth alone approaches \[m\].
+    /// Limit thickness of growth without removal \[m\].
     pub maximum_thickness: f64,
     /// Mechanical activation factor.
     pub x_tribo: f64,
-    /// Thickness that removal takes in the end \[m\].
+    /// Limit thickness of removal \[m\].
     pub removal_limit: f64,
     /// Rate of removal \[1/s\].
     pub removal_rate: f64,
-    /// Which nodes grow and lose film.
+    /// Nodes that grow and lose film.
     pub activation: Activation,
 }
 
@@ -58,21 +58,21 @@ pub struct GhanbarzadehSpec {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StressActivatedSpec {
-    /// Thickness that growth approaches \[m\].
+    /// Limit thickness of growth \[m\].
     pub maximum_thickness: f64,
-    /// Rate constant without barrier \[1/s\].
+    /// Pre-exponential rate constant \[1/s\].
     pub prefactor: f64,
-    /// Height of the barrier \[J\].
+    /// Activation energy \[J\].
     pub activation_energy: f64,
-    /// Volume that the stress acts on \[m^3\].
+    /// Activation volume \[m^3\].
     pub activation_volume: f64,
-    /// The stress that lowers the barrier.
+    /// Activating stress.
     pub stress: DrivingStress,
-    /// Which nodes grow film.
+    /// Nodes that grow film.
     pub activation: Activation,
 }
 
-/// The stress that lowers the barrier of [`StressActivated`].
+/// Activating stress of [`StressActivated`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum DrivingStress {
@@ -86,13 +86,13 @@ pub enum DrivingStress {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ThermalArrheniusSpec {
-    /// Thickness that growth approaches \[m\].
+    /// Limit thickness of growth \[m\].
     pub maximum_thickness: f64,
-    /// Rate constant without barrier \[1/s\].
+    /// Pre-exponential rate constant \[1/s\].
     pub prefactor: f64,
-    /// Height of the barrier \[J\].
+    /// Activation energy \[J\].
     pub activation_energy: f64,
-    /// Which nodes grow film.
+    /// Nodes that grow film.
     pub activation: Activation,
 }
 
@@ -102,15 +102,15 @@ pub struct ThermalArrheniusSpec {
 pub struct ProportionalRemovalSpec {
     /// Largest thickness \[m\].
     pub maximum_thickness: f64,
-    /// Rate of growth without barrier \[m/s\].
+    /// Pre-exponential growth rate \[m/s\].
     pub growth_rate: f64,
-    /// Height of the barrier \[J\].
+    /// Activation energy \[J\].
     pub activation_energy: f64,
-    /// Volume that the shear stress acts on \[m^3\].
+    /// Activation volume of the shear stress \[m^3\].
     pub activation_volume: f64,
     /// Rate of removal \[1/s\].
     pub removal_rate: f64,
-    /// Which nodes grow and lose film.
+    /// Nodes that grow and lose film.
     pub activation: Activation,
 }
 
@@ -135,7 +135,7 @@ impl Default for TribofilmSpec {
 }
 
 impl TribofilmSpec {
-    /// Thickness that growth alone approaches, or the largest one \[m\].
+    /// Limit thickness of growth, or largest thickness \[m\].
     pub fn maximum_thickness(&self) -> f64 {
         match self {
             Self::Ghanbarzadeh(spec) => spec.maximum_thickness,
@@ -153,7 +153,7 @@ impl TribofilmSpec {
         self.bare_law().map_err(|error| error.within("tribofilm"))
     }
 
-    /// The law; errors name its constants alone.
+    /// The law; errors name its constants only.
     fn bare_law(&self) -> Result<Box<dyn FilmGrowthLaw>, InputError> {
         Ok(match *self {
             Self::Ghanbarzadeh(spec) => {
@@ -196,7 +196,7 @@ impl TribofilmSpec {
 
 #[cfg(feature = "serde")]
 keyed! {
-    /// What a scene file holds.
+    /// `[tribofilm]` as written in a scene file.
     #[derive(serde::Deserialize)]
     struct TribofilmTable {
         law: Option<LawName>,
@@ -213,7 +213,7 @@ keyed! {
     }
 }
 
-/// What `law` says.
+/// Values of `law`.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize, Clone, Copy)]
 #[serde(rename_all = "snake_case")]

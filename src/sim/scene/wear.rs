@@ -1,4 +1,4 @@
-//! Wear: the laws of the crate by name, the pressure that wears and the time of exposure.
+//! Wear: laws by name, wear pressure and exposure.
 
 #[cfg(feature = "serde")]
 use super::tables::{keyed, required};
@@ -7,7 +7,7 @@ use crate::error::InputError;
 use crate::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
 use crate::with_fields::with_fields;
 
-/// Wear of both bodies: a law, the pressure that wears, and the time that a point of the track is exposed to it.
+/// Wear of both bodies: a law, the pressure that causes it, and the exposure of a point of the track.
 ///
 /// # Examples
 ///
@@ -30,10 +30,9 @@ pub struct WearSpec {
     /// The law and its constants.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub law: WearLawSpec,
-    /// The pressure that wears.
+    /// The pressure that causes wear.
     pub pressure: WearPressure,
-    /// The time that a point of the track is exposed to wear; it belongs to the constants of the law and has no
-    /// default.
+    /// Exposure of a point of the track to wear. It belongs to the constants of the law and has no default.
     pub exposure: Exposure,
 }
 
@@ -51,9 +50,9 @@ pub struct WearSpec {
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "law", rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum WearLawSpec {
-    /// In proportion to pressure and distance: [`Archard`].
+    /// Proportional to pressure and sliding distance: [`Archard`].
     Archard(ArchardSpec),
-    /// In proportion to the energy of friction: [`FrictionalEnergy`].
+    /// Proportional to frictional energy: [`FrictionalEnergy`].
     FrictionalEnergy(FrictionalEnergySpec),
 }
 
@@ -65,10 +64,10 @@ pub struct ArchardSpec {
     pub coefficient: f64,
     /// Dimensionless coefficient under a film of full thickness.
     pub film_coefficient: f64,
-    /// Hardness that divides the coefficient \[Pa\].
+    /// Hardness in the denominator \[Pa\].
     pub hardness: f64,
-    /// Hardness under a tribofilm of full thickness \[Pa\], the divisor falling linearly with the film;
-    /// absent: constant.
+    /// Hardness under a tribofilm of full thickness \[Pa\], linear in the film thickness; absent: constant
+    /// hardness.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub film_hardness: Option<f64>,
 }
@@ -77,9 +76,9 @@ pub struct ArchardSpec {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FrictionalEnergySpec {
-    /// Volume worn of the bare surface over the energy of friction \[m^3/J\].
+    /// Worn volume of the bare surface per frictional energy \[m^3/J\].
     pub volume_per_energy: f64,
-    /// That under a film of full thickness \[m^3/J\].
+    /// The same under a film of full thickness \[m^3/J\].
     pub film_volume_per_energy: f64,
 }
 
@@ -91,7 +90,7 @@ impl Default for ArchardSpec {
 }
 
 impl WearLawSpec {
-    /// Hardness that the law divides by \[Pa\]; none for a law without.
+    /// Hardness in the denominator of the law \[Pa\]; `None` for a law without hardness.
     pub fn hardness(&self) -> Option<f64> {
         match self {
             Self::Archard(spec) => Some(spec.hardness),
@@ -101,29 +100,29 @@ impl WearLawSpec {
 }
 
 impl WearSpec {
-    /// Wear by `law` under the pressure of solid contact.
+    /// Wear by `law` under the solid pressure.
     pub const fn new(law: WearLawSpec, exposure: Exposure) -> Self {
         Self { law, pressure: WearPressure::Solid, exposure }
     }
 
-    /// The choices of Azam et al. (2019): their constants, all pressure, the time of the test.
+    /// The choices of Azam et al. (2019): their constants, total pressure, time of the test.
     pub fn azam_2019() -> Self {
         Self::new(WearLawSpec::Archard(ArchardSpec::default()), Exposure::ContactClock)
             .with_pressure(WearPressure::Total)
     }
 
-    /// The law of a body of `hardness` \[Pa\], which laws without one pass over, under films whose full
-    /// thickness is `film_thickness` \[m\]; none where there are no films.
+    /// The law for a body of `hardness` \[Pa\] (ignored by laws without hardness) under films of full thickness
+    /// `film_thickness` \[m\]; `None` for no films.
     ///
     /// # Errors
     /// A constant out of range.
     pub fn law(&self, hardness: f64, film_thickness: Option<f64>) -> Result<Box<dyn WearLaw>, InputError> {
-        // Without a film the reference thickness is never reached: any positive one will do.
+        // Without a film the reference thickness is never reached: any positive value works.
         let full = film_thickness.unwrap_or(1.0);
         self.bare_law(hardness, full).map_err(|error| error.within("wear"))
     }
 
-    /// The same under films of the `full` thickness \[m\]; errors name the law's constants alone.
+    /// The law under films of the `full` thickness \[m\]; errors name its constants only.
     fn bare_law(&self, hardness: f64, full: f64) -> Result<Box<dyn WearLaw>, InputError> {
         Ok(match self.law {
             WearLawSpec::Archard(spec) => {
@@ -140,7 +139,7 @@ impl WearSpec {
         })
     }
 
-    /// Checks the constants as the law itself does.
+    /// Checks the constants by building the law.
     pub(in crate::sim) fn validate(&self) -> Result<(), InputError> {
         self.law(self.law.hardness().unwrap_or(1.0), None).map(|_| ())
     }
@@ -154,7 +153,7 @@ with_fields!(WearSpec {
 
 #[cfg(feature = "serde")]
 keyed! {
-    /// What a scene file holds.
+    /// `[wear]` as written in a scene file.
     #[derive(serde::Deserialize)]
     struct WearTable {
         law: Option<LawName>,
@@ -170,7 +169,7 @@ keyed! {
     }
 }
 
-/// What `law` says.
+/// Values of `law`.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize, Clone, Copy)]
 #[serde(rename_all = "snake_case")]
@@ -185,7 +184,7 @@ const ARCHARD: [&str; 4] = ["coefficient", "film_coefficient", "hardness", "film
 /// Keys of `law = "frictional_energy"`.
 #[cfg(feature = "serde")]
 const FRICTIONAL_ENERGY: [&str; 2] = ["volume_per_energy", "film_volume_per_energy"];
-/// The error of a table without an exposure.
+/// The error of a table without exposure.
 #[cfg(feature = "serde")]
 const EXPOSURES: &str = "missing field `exposure`; \
     exposure = \"track\": a point of the track wears while the contact passes, once a round, for coefficients by load \

@@ -1,5 +1,5 @@
-//! Estimates of a contact by formula before it is solved: roughness, regime and film, lambda, the load on solids,
-//! friction and its heat.
+//! Estimates of a contact by formula before it is solved: roughness, regime and film, lambda, load ratio,
+//! friction and frictional heating.
 
 use crate::analytic::{AsperityInlets, FilmMap};
 use crate::boundary::Boundary;
@@ -18,15 +18,15 @@ use crate::sim::scene::Roughness;
 
 /// Autocorrelation at the end of the correlation length.
 const CORRELATION: f64 = 0.1;
-/// Factors on the inlet number between which solutions on fine and coarse cells were found.
+/// Range of factors on the inlet number that covers solutions on fine and coarse cells.
 const INLET_SCATTER: [f64; 2] = [3.0, 0.4];
-/// The factor above of ridges, whose solids part at a quarter of the number.
+/// The first factor for ridges, whose solids separate at a quarter of the inlet number.
 const RIDGE_SCATTER: f64 = 4.0;
 /// Least pressure-viscosity coefficient times Hertz pressure at which oil in the inlets of asperities is
 /// piezoviscous.
 const LEAST_PIEZOVISCOUS: f64 = 3.0;
-/// Smooth films over the contact film below which solids touch between smooth bodies too: carry part of the load,
-/// and most of it.
+/// Smooth film over contact film below which smooth bodies touch too: the first for part of the load, the
+/// second for most of it.
 const THIN_FILM: f64 = 4.0;
 const MIXED_FILM: f64 = 2.0;
 const THINNEST_FILM: f64 = 0.6;
@@ -49,8 +49,8 @@ const THINNEST_FILM: f64 = 0.6;
 pub struct Expectation {
     /// Roughness on the track.
     pub roughness: RoughnessNumbers,
-    /// Shorter one of the lengths along x and y at which the autocorrelation of both surfaces together has fallen to
-    /// 10 % \[m\]; `None` for smooth bodies, textures and waves longer than half of the patch.
+    /// Smaller of the lengths along x and y at which the autocorrelation of both surfaces together falls to
+    /// 10 % \[m\]; `None` for smooth bodies, textures and lengths above half of the patch.
     pub correlation_length: Option<f64>,
     /// Flash temperature rise of the surfaces \[K\].
     pub flash_rise: f64,
@@ -58,7 +58,7 @@ pub struct Expectation {
     pub film: Option<ExpectedFilm>,
 }
 
-/// Film and friction that formulas expect of a lubricated contact.
+/// Film and friction of a lubricated contact by formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -67,27 +67,27 @@ pub struct ExpectedFilm {
     pub map: FilmMap,
     /// Film over composite roughness; `None` for smooth bodies and textures.
     pub lambda: Option<f64>,
-    /// Share of the load that solids carry, by the inlets of asperities ([`AsperityInlets`]), zero of a full film
-    /// between smooth bodies; `None` where no formula holds.
+    /// Load ratio by the inlets of asperities ([`AsperityInlets`]); zero for a full film between smooth bodies,
+    /// `None` where no formula holds.
     pub load_ratio: Option<f64>,
-    /// Least and largest share that solutions have at this inlet number; `None` where no formula holds.
+    /// Smallest and largest load ratio of solutions at this inlet number; `None` where no formula holds.
     pub load_ratio_range: Option<[f64; 2]>,
-    /// Friction coefficients of solids, by that share or the least one, and of the isothermal fluid.
+    /// Friction coefficients of solids (at that load ratio or the smallest one) and of the isothermal fluid.
     pub friction: [f64; 2],
     /// Least and largest sum of both over `load_ratio_range`.
     pub friction_range: Option<[f64; 2]>,
-    /// Mean rise of the film by the heat of this friction \[K\].
+    /// Mean temperature rise of the film by this friction \[K\].
     pub film_rise: f64,
 }
 
-/// Share of the load on solids, `None` where only its least and its largest value are known, and these.
+/// Load ratio, `None` if only its range is known, and its range.
 type LoadShare = (Option<f64>, [f64; 2]);
 
 impl MixedLubricationSim {
-    /// Estimates by formula of the contact as it stands, under the present conditions.
+    /// Estimates the contact by formula under the present conditions.
     ///
     /// # Errors
-    /// Conditions that the formulas do not take.
+    /// Conditions outside the range of the formulas.
     pub fn expectation(&self) -> Result<Expectation, SimError> {
         let grid = self.contact.grid;
         let half_width = self.contact.hertz.half_extents()[1];
@@ -102,7 +102,7 @@ impl MixedLubricationSim {
         Ok(Expectation { roughness, correlation_length, flash_rise, film: Some(film) })
     }
 
-    /// Warnings about physics that the scene leaves out and this estimate needs; a solve has its own.
+    /// Warnings about physics that the scene leaves out and this estimate needs. A solve returns its own.
     ///
     /// # Errors
     /// As of [`expectation`](Self::expectation).
@@ -129,7 +129,7 @@ impl MixedLubricationSim {
         [&rough.ball, &rough.disc].into_iter().any(|body| matches!(body, Roughness::Texture(_)))
     }
 
-    /// The shorter correlation length of both surfaces together.
+    /// The smaller correlation length of both surfaces together.
     fn correlation_length(&self) -> Option<f64> {
         if self.is_textured() {
             return None;
@@ -199,7 +199,7 @@ impl MixedLubricationSim {
         Ok((rises.surfaces, film))
     }
 
-    /// Expected share of the load on solids, with the least and the largest; none where no formula holds.
+    /// Expected load ratio and its range; `None` where no formula holds.
     fn load_share(
         &self,
         central: f64,

@@ -1,4 +1,4 @@
-//! Memory of a single contact, on its own mesh or on those of its accuracy.
+//! Memory of a single contact, on its own mesh or those chosen for an accuracy.
 
 use super::accuracy::largest_mesh;
 use crate::sim::contact::memory::bytes;
@@ -6,9 +6,9 @@ use crate::sim::error::SimError;
 use crate::sim::scene::Scene;
 
 impl Scene {
-    /// Memory that one solve of the contact needs \[byte\], about: that of its grid. With an accuracy it is that of
-    /// the finest mesh: of the first ones in a smooth contact (`grid.accuracy`), of the largest that is ever tried
-    /// in a rough one.
+    /// Approximate memory of one solve of the contact \[byte\]: that of its grid. With an accuracy it is that of
+    /// the finest mesh: of the first ones for a smooth contact (`grid.accuracy`), of the largest allowed one for
+    /// a rough contact.
     ///
     /// # Errors
     /// Cells or a box out of range; with `grid.accuracy` any value out of range.

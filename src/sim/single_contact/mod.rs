@@ -1,25 +1,25 @@
-//! Single contacts: surfaces as they are, on one mesh or on several that estimate the errors.
+//! Single contacts of unchanged surfaces, on one mesh or on several for error estimates.
 //!
-//! A single contact is prepared as the first step of a history is, and solved without changing its bodies.
+//! A single contact is prepared like the first step of a history and leaves its bodies unchanged.
 
 mod accuracy;
 pub(in crate::sim) mod expectation;
 mod memory;
 mod prepared;
-mod standing;
+mod solve_under;
 
 use super::contact::solution::ContactSolution;
 use super::error::SimError;
 use super::history::builder::SimBuilder;
 use super::scene::Scene;
 
-/// Solves the single contact of `scene`, surfaces as they are. With an accuracy the contact is solved on
-/// finer and finer meshes, the last of which is returned; with `solver.estimate` on half the cells of its
-/// grid too.
+/// Solves the single contact of `scene`. With an accuracy the contact is solved on successively finer meshes
+/// and the finest solution is returned. With `solver.estimate` it is also solved on half the cells of its
+/// grid.
 ///
 /// # Errors
-/// A scene that does not fit; a load that the pressure limit cannot carry. Not converging is a status of the
-/// report.
+/// A scene that does not fit; a load that the pressure limit cannot carry. A solve that does not converge is
+/// no error: see the status of the report.
 ///
 /// ```
 /// use stribeck::sim::{Scene, solve_contact};

@@ -1,9 +1,9 @@
-//! Single contacts through the builder of simulations: one path for scenes, heights in memory, own parts and
-//! finer meshes.
+//! Single contacts through the builder of simulations: one path for scenes, heights in memory, custom
+//! components and finer meshes.
 //!
-//! A single contact begins in one way for `check_contact` and `solve` ([`SimBuilder::begin`]): all that can be
-//! refused is refused before the first iteration, with the same error for both. A scene with an accuracy or
-//! an estimate of errors becomes a series of meshes (`accuracy`), any other one mesh ([`PreparedContact`]).
+//! `check_contact` and `solve` share one preparation ([`SimBuilder::begin`]). It returns all input errors, so
+//! both have the same ones. A scene with an accuracy or an error estimate becomes a series of meshes
+//! (`accuracy`), any other one mesh ([`PreparedContact`]).
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -19,7 +19,7 @@ use crate::sim::contact::warnings::Warning;
 use crate::sim::contact::{outer_rows, setup, warnings};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
-use crate::sim::history::builder::{CustomParts, SimBuilder};
+use crate::sim::history::builder::{ReplacedParts, SimBuilder};
 use crate::sim::history::placement::Placement;
 use crate::sim::history::track::track_rq;
 use crate::sim::history::yielding::Yielding;
@@ -28,21 +28,21 @@ use crate::sim::single_contact::accuracy::Meshes;
 use crate::surface::Offset;
 
 impl SimBuilder {
-    /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at
-    /// the conditions of the start, as [`solve_contact`](crate::sim::solve_contact) does, with the laws, heights
-    /// and starts that were given here. What changes bodies is not asked, a hardness that grows with the
-    /// plastic depth of this contact is not followed.
+    /// Solves the single contact of the bodies in the first position of their roughness under the initial
+    /// conditions. It is [`solve_contact`](crate::sim::solve_contact) with the laws, heights and starts given to
+    /// this builder. Bodies do not change: growth and wear laws are not called, and a hardness that grows with
+    /// the plastic depth of this contact stays at its initial value.
     ///
     /// # Errors
-    /// A scene, heights or starts that do not fit; a load that the pressure limit cannot carry; own parts
-    /// beside an accuracy or an estimate of errors, which need other meshes. Not converging is a status of
-    /// the report.
+    /// A scene, heights or starts that do not fit; a load that the pressure limit cannot carry; custom components
+    /// together with an accuracy or an error estimate, which need other meshes. A solve that does not converge is
+    /// no error: see the status of the report.
     ///
     /// ```
     /// use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
     /// let scene = Scene::azam_2019(32);
     /// let first = solve_contact(&scene)?;
-    /// // The same surfaces from memory, and a start that is the solution.
+    /// // The same surfaces from memory, started from the solution.
     /// let heights = |k: usize| MixedLubricationSim::builder(scene.clone()).build().map(|sim| sim.bodies()[k].surface().to_vec());
     /// let builder = MixedLubricationSim::builder(scene.clone()).ball_heights(heights(0)?).disc_heights(heights(1)?);
     /// let again = builder.contact_start(first.state.clone()).solve()?;
@@ -54,8 +54,8 @@ impl SimBuilder {
         self.solve_observed(|_| {})
     }
 
-    /// The same, and `observer` sees the solution of each mesh as it comes where an accuracy or an estimate of
-    /// errors needs several, the last one included. They have no warnings yet.
+    /// As [`solve`](Self::solve); with an accuracy or an error estimate `observer` is called with the solution of
+    /// each mesh, the last one included. These solutions have no warnings yet.
     ///
     /// # Errors
     /// As of [`solve`](Self::solve).
@@ -83,12 +83,12 @@ impl SimBuilder {
         Ok(solution)
     }
 
-    /// Goes as far as [`solve`](Self::solve) does before the first iteration of its solver, and solves
-    /// nothing. Returns the warnings that are known by then.
+    /// Prepares [`solve`](Self::solve) up to the first iteration of its solver, without solving. Returns the
+    /// warnings known by then.
     ///
     /// # Errors
-    /// What [`solve`](Self::solve) refuses before its first iteration, with the same error. What only a history
-    /// refuses is not refused here, that tells [`check`](Self::check).
+    /// The input errors of [`solve`](Self::solve). Errors of a history only are found by
+    /// [`check`](Self::check).
     ///
     /// ```
     /// use stribeck::sim::{MixedLubricationSim, Scene};
@@ -109,7 +109,7 @@ impl SimBuilder {
         })
     }
 
-    /// Everything that can be refused is refused here.
+    /// Prepares the contact and returns all input errors.
     fn begin(mut self) -> Result<ReadySolve, SimError> {
         if needs_meshes(&self.scene) {
             if let Some(part) = self.custom_part() {
@@ -123,16 +123,16 @@ impl SimBuilder {
             return Ok(ReadySolve::Meshes(meshes));
         }
         let start = self.contact_start.take();
-        let own = self.own();
+        let replaced = self.replaced();
         let start = |grid: &Grid| Ok(start.unwrap_or_else(|| ContactState::new(grid)));
-        Ok(ReadySolve::Mesh(Box::new(self.prepare(own, start)?)))
+        Ok(ReadySolve::Mesh(Box::new(self.prepare(replaced, start)?)))
     }
 
-    /// The contact on the grid of the scene alone, from what `start` makes; `own` parts are in place of
-    /// those of the scene.
+    /// The contact on the grid of the scene only, started from the state of `start`. `replaced` parts stand for those of
+    /// the scene.
     pub(in crate::sim) fn prepare(
         mut self,
-        own: CustomParts,
+        replaced: ReplacedParts,
         start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
     ) -> Result<PreparedContact, SimError> {
         self.scene.schedule.read_tables()?;
@@ -144,8 +144,8 @@ impl SimBuilder {
         }
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
-        let warnings = self.warnings(own, &contact, &bodies, &laws);
-        contact.face_mobility = self.face_mobility(own, &bodies);
+        let warnings = self.warnings(replaced, &contact, &bodies, &laws);
+        contact.face_mobility = self.face_mobility(replaced, &bodies);
         let state = start(&contact.grid)?;
         let mut prepared = PreparedContact::new(self.scene, contact, bodies, laws, state)?;
         prepared.warnings = warnings;
@@ -153,13 +153,13 @@ impl SimBuilder {
     }
 }
 
-/// Whether the single contact of `scene` is solved on several meshes.
+/// Whether the single contact of `scene` needs several meshes.
 fn needs_meshes(scene: &Scene) -> bool {
     let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
     asked || matches!(scene.grid, GridSpec::Accuracy { .. })
 }
 
-/// The contact on the grid of the scene from the state that `start` makes.
+/// The contact on the grid of the scene, started from the state of `start`.
 pub(in crate::sim) fn prepare_on_grid(
     scene: &Scene,
     interrupt: Option<&Interrupt>,
@@ -167,10 +167,10 @@ pub(in crate::sim) fn prepare_on_grid(
 ) -> Result<PreparedContact, SimError> {
     let mut builder = SimBuilder::new(scene.clone());
     builder.custom.interrupt = interrupt.cloned();
-    builder.prepare(CustomParts::default(), start)
+    builder.prepare(ReplacedParts::default(), start)
 }
 
-/// The same with the heights of ball and disc on this grid given \[m\].
+/// The contact with given heights of ball and disc on this grid \[m\].
 pub(in crate::sim) fn prepare_heights(
     scene: &Scene,
     interrupt: Option<&Interrupt>,
@@ -178,11 +178,11 @@ pub(in crate::sim) fn prepare_heights(
 ) -> Result<PreparedContact, SimError> {
     let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
     builder.custom.interrupt = interrupt.cloned();
-    // They are those of the scene on another mesh.
-    builder.prepare(CustomParts::default(), |grid| Ok(ContactState::new(grid)))
+    // The heights are those of the scene on another mesh.
+    builder.prepare(ReplacedParts::default(), |grid| Ok(ContactState::new(grid)))
 }
 
-/// A contact of which nothing is solved yet and all that can be refused has been.
+/// A checked contact before its first iteration.
 enum ReadySolve {
     /// On the grid of the scene.
     Mesh(Box<PreparedContact>),
@@ -190,34 +190,34 @@ enum ReadySolve {
     Meshes(Meshes),
 }
 
-/// The contact of two bodies as they stand, on one mesh, before its first iteration.
+/// The contact of two bodies on one mesh before its first iteration.
 pub(in crate::sim) struct PreparedContact {
     /// The scene.
     scene: Scene,
-    /// What solves it.
+    /// Its model with the solver.
     model: ContactModel,
     /// Laws of friction and plasticity.
     laws: Laws,
-    /// Pressures to start from.
+    /// Initial pressures.
     state: ContactState,
     /// Undeformed gap \[m\].
     gap: Vec<f64>,
-    /// Largest pressure per node \[Pa\]; none in an elastic contact.
+    /// Largest pressure per node \[Pa\]; `None` for an elastic contact.
     limit: Option<Vec<f64>>,
     /// Tribofilms of ball and disc \[m\].
     tribofilms: [Vec<f64>; 2],
-    /// Shear stresses, filled by the solve.
+    /// Shear stresses, computed by the solve.
     friction: FrictionFields,
-    /// What finds the temperature of the film; none where it has that of the bulk.
+    /// Temperature of the film; `None` for an isothermal film.
     film_heat: Option<FilmIteration>,
     /// Root mean square heights of ball and disc on the track \[m\].
     rq: [f64; 2],
-    /// What is known before the first iteration.
+    /// Warnings before the first iteration.
     pub(in crate::sim) warnings: Vec<Warning>,
 }
 
 impl PreparedContact {
-    /// Everything that a solve refuses before its first iteration is refused here.
+    /// Returns all input errors of a solve.
     fn new(
         scene: Scene,
         mut model: ContactModel,
@@ -229,7 +229,7 @@ impl PreparedContact {
         let mut placement = Placement::new(grid);
         placement.place(&bodies, &model.form_gap, [Offset::default(); 2])?;
         let Placement { gap, films: tribofilms, depths, .. } = placement;
-        model.cover(&tribofilms)?;
+        model.set_tribofilms(&tribofilms)?;
         let limit = match &laws.plasticity {
             None => None,
             Some(plasticity) => {
@@ -247,8 +247,8 @@ impl PreparedContact {
         Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, film_heat, rq, warnings })
     }
 
-    /// Solves contact and film temperature and takes the numbers of the state; those of a state that diverged
-    /// are unknown.
+    /// Solves contact and film temperature and evaluates the results. If the solve diverged, the results are
+    /// `None`.
     pub(in crate::sim) fn solve(self) -> Result<ContactSolution, SimError> {
         let Self {
             scene,

@@ -1,31 +1,30 @@
 //! Derivatives of the balances by pressures and films.
 //!
-//! They are exact, and tests compare them with differences: a new face law or scheme brings its own into
-//! `FaceFlow` or `FaceFilm`, and what is here follows. The steps of Newton's method are made of them, face by
-//! face.
+//! They are exact; tests compare them with finite differences. A new face law or scheme adds its derivatives to
+//! `FaceFlow` or `FaceFilm`. Newton's method assembles its linear system from them, face by face.
 
 use super::super::entrainment::DensityRise;
 use super::super::face_mobility::{Direction, FaceMobility};
 use super::super::node::NodeFlow;
 use super::{Discretisation, NearField, Scheme};
 
-/// Derivatives of what entrainment carries through a face beyond what its first node holds: by the pressures
-/// of that node and of the one upstream, by the films of that node, of the second of the face and of the one
-/// upstream.
+/// Derivatives of the entrainment correction of a face (its flux minus that of its first node): by the pressures
+/// of that node and of its upstream neighbor; by the films of that node, of the second node of the face and of the
+/// upstream neighbor.
 pub(in crate::reynolds) type BeyondDerivatives = [f64; 5];
 
-/// Weight of the first-order entrainment term in the preconditioner of the second-order one. Their ratio lies
-/// between 1 (smooth fields) and 2 (from node to node).
+/// Weight of the first-order entrainment term in the preconditioner of the second-order one. The ratio of both is
+/// between 1 (smooth fields) and 2 (node-to-node oscillations).
 const SECOND_ORDER_WEIGHT: f64 = 1.25;
 
 impl Discretisation {
-    /// Derivatives of the flow by pressure through the face to the east of node `k`, its film over that of
-    /// the node and the factor of the inlet held: by both pressures, then by both films.
+    /// Derivatives of the pressure flow through the face east of node `k` at fixed face film ratio and inlet factor:
+    /// by both pressures, then by both films.
     pub(in crate::reynolds) fn east_flow_derivatives(&self, k: usize) -> [f64; 4] {
         self.flow_derivatives(k, k + 1, self.coefficients(k)[0], self.along(k))
     }
 
-    /// Those of the face to the north.
+    /// The same for the face north of node `k`.
     pub(in crate::reynolds) fn north_flow_derivatives(&self, k: usize) -> [f64; 4] {
         self.flow_derivatives(k, k + self.grid.nx(), self.coefficients(k)[1], Direction::Across)
     }
@@ -45,25 +44,26 @@ impl Discretisation {
         ]
     }
 
-    /// Whether anything is carried through faces beyond what their first nodes hold, or their mobility
-    /// depends on the node upstream.
-    pub(in crate::reynolds) fn carries_beyond(&self) -> bool {
+    /// Whether the flux through a face differs from that of its first node, or its mobility depends on the upstream
+    /// neighbor.
+    pub(in crate::reynolds) fn has_entrainment_corrections(&self) -> bool {
         self.scheme != Scheme::FirstOrder || self.face_mobility == FaceMobility::Inlet
     }
 
-    /// Derivatives of that through the face to the east of node `k`, with what it adds to the flow by
-    /// pressure.
+    /// Derivatives of the entrainment correction of the face east of node `k`, including its effect on the pressure
+    /// flow.
     pub(in crate::reynolds) fn beyond_derivatives(&self, k: usize) -> BeyondDerivatives {
         let nx = self.grid.nx();
         let column = k % nx;
         if column + 1 == nx {
             return [0.0; 5];
         }
-        // Nothing upstream enters at the inlet.
+        // At the inlet there is no upstream neighbor.
         let (up, own, next) = (&self.nodes[k - column.min(1)], &self.nodes[k], &self.nodes[k + 1]);
         let film = self.face_film(k, column);
         let own_film = self.masses[k] / own.density;
         let by_films = |density: f64| [film.by_own, film.by_next, film.by_up].map(|by| density * by);
+        // Entrainment correction by densities and films.
         let (by_densities, by_films) = match self.scheme {
             Scheme::SecondOrder if column > 0 => {
                 let up_film = self.masses[k - 1] / up.density;
@@ -81,7 +81,7 @@ impl Discretisation {
             _ => ([film.beyond, 0.0], by_films(own.density)),
         };
         let face = self.face_flow(k, k + 1, self.along(k));
-        // The film of the face over that of the node is `1 + beyond / film`.
+        // The ratio of the face film to the node film is `1 + beyond / film`.
         let mut by_flow = [0.0; 3];
         if face.by_face_film != 0.0 {
             let drop = self.coefficients(k)[0] * (own.potential - next.potential);
@@ -93,6 +93,7 @@ impl Discretisation {
                 per_film * film.by_up + per_inlet * inlet.by_up,
             ];
         }
+        // Chain rule: densities depend on pressures, films on the unknown films.
         let slopes = [own.density_p, up.density_p];
         let films = [own.film_h, next.film_h, up.film_h];
         let wedge = if self.is_starved(k) { 0.0 } else { self.wedge_at(k) };
@@ -111,14 +112,14 @@ impl Discretisation {
         [density_p * self.masses[k] / density, density]
     }
 
-    /// Coefficients of the masses of a node and of the one upstream in its balance, without what faces carry
-    /// beyond them, in the row of node `first`.
+    /// Coefficients of the masses of a node and of its upstream neighbor in its balance, without entrainment
+    /// corrections, in the row of node `first`.
     pub(in crate::reynolds) fn mass_coefficients(&self, first: usize) -> [f64; 2] {
         let wedge = self.wedge_at(first);
         [wedge + self.squeeze + self.pseudo_transient, -wedge]
     }
 
-    /// Those with which a matrix of five points stands in for the balances.
+    /// The same for a five-point matrix that approximates the balances.
     pub(in crate::reynolds) fn five_point_mass_coefficients(&self, first: usize) -> [f64; 2] {
         let wedge = match self.scheme {
             Scheme::FirstOrder | Scheme::Limited => self.wedge_at(first),
@@ -127,8 +128,8 @@ impl Discretisation {
         [wedge + self.squeeze + self.pseudo_transient, -wedge]
     }
 
-    /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities
-    /// frozen, entrainment of first order and the elastic response of the line stiffened by `stiffness`.
+    /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with frozen mobilities,
+    /// first-order entrainment and an elastic response scaled by `stiffness`.
     pub(in crate::reynolds) fn line_row(&self, k: usize, near: NearField, stiffness: f64) -> (f64, f64, f64) {
         let [east, west, north, south] = self.neighbours(k).map(|(_, c, mobility)| c * mobility);
         let cross = north + south;

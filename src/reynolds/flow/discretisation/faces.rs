@@ -1,8 +1,8 @@
 //! Flow through faces: neighbours, films, densities and mobilities.
 //!
-//! [`Discretisation::update_entrainment`] runs once an update and stores what belongs to each face; the rest
-//! is asked for by node. Faces are named by their first node: that to the east of `k` lies between `k` and
-//! `k + 1`, that to the north between `k` and `k + nx`.
+//! [`Discretisation::update_entrainment`] runs once per update and stores the quantities of each face; the rest is
+//! computed on demand. A face has the index of its first node: the one east of `k` is between `k` and `k + 1`, the
+//! one north of `k` between `k` and `k + nx`.
 
 use super::super::entrainment::{DensityRise, FaceFilm};
 use super::super::face_mobility::{Direction, FaceFlow, FaceMobility};
@@ -10,12 +10,12 @@ use super::super::inlet::Inlet;
 use super::{Discretisation, Scheme};
 
 /// Without an [`EdgePressure`](crate::reynolds::EdgePressure) the pressure is ambient at the edge of the box, half a
-/// cell beyond the outermost nodes, whose own pressure counts as ambient: this share of the difference to the next
-/// nodes is left.
+/// cell outside the outermost nodes, but these nodes have ambient pressure too. The pressure differences next to them
+/// are reduced by this factor.
 const EDGE_SHARE: f64 = 2.0 / 3.0;
 
 impl Discretisation {
-    /// Takes `c` of the faces between columns and between rows.
+    /// Sets `c` of the faces between columns and between rows.
     pub(super) fn set_coefficients(&mut self, along: f64, across: f64) {
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         let at_edge = |i: usize, n: usize| i == 0 || i + 2 == n;
@@ -29,14 +29,14 @@ impl Discretisation {
         }
     }
 
-    /// `c` of the faces to the east and to the north of node `k`.
+    /// `c` of the faces east and north of node `k`.
     #[inline]
     pub(super) fn coefficients(&self, k: usize) -> [f64; 2] {
         let nx = self.grid.nx();
         [self.east_coefficients[k % nx], self.north_coefficients[k / nx]]
     }
 
-    /// What entrainment carries through faces beyond what their first nodes hold, and the inlets.
+    /// Updates entrainment corrections and inlet factors of all faces.
     pub(super) fn update_entrainment(&mut self) {
         let nx = self.grid.nx();
         for first in (0..self.nodes.len()).step_by(nx) {
@@ -46,7 +46,7 @@ impl Discretisation {
         }
     }
 
-    /// The same of the face to the east of node `k` in `column`.
+    /// Updates those of the face east of node `k` in `column`.
     #[inline]
     fn update_face(&mut self, k: usize, column: usize) {
         let film = self.face_film(k, column);
@@ -64,8 +64,8 @@ impl Discretisation {
         };
     }
 
-    /// Density of the face to the east of node `k` in `column` beyond that of the node, extrapolated from the
-    /// nodes upstream.
+    /// Density of the face east of node `k` in `column` minus that of the node, extrapolated from the nodes
+    /// upstream.
     #[inline]
     pub(super) fn density_rise(&self, k: usize, column: usize) -> DensityRise {
         if column == 0 {
@@ -76,7 +76,7 @@ impl Discretisation {
         DensityRise::new((own.density, own.film), (up.density, up_film))
     }
 
-    /// The film of the face to the east of node `k` in `column`; that of the node itself of first order.
+    /// The film of the face east of node `k` in `column`; at first order that of the node.
     #[inline]
     pub(super) fn face_film(&self, k: usize, column: usize) -> FaceFilm {
         if self.scheme == Scheme::FirstOrder || column + 1 == self.grid.nx() {
@@ -90,7 +90,7 @@ impl Discretisation {
         }
     }
 
-    /// The inlet at the face to the east of node `k` in `column`.
+    /// The inlet at the face east of node `k` in `column`.
     #[inline]
     pub(super) fn inlet(&self, k: usize, column: usize) -> Inlet {
         if self.face_mobility != FaceMobility::Inlet || column == 0 || column + 1 == self.grid.nx() {
@@ -99,18 +99,18 @@ impl Discretisation {
         Inlet::new(self.nodes[k - 1].film, self.nodes[k].film, self.nodes[k + 1].film, self.alignments[k])
     }
 
-    /// The direction of the face to the east of node `k`.
+    /// The direction of the face east of node `k`.
     #[inline]
     pub(super) fn along(&self, k: usize) -> Direction {
         if self.wedge > 0.0 {
             Direction::Along(self.face_films[k], self.inlet_factors[k])
         } else {
-            Direction::AlongAtRest
+            Direction::AlongWithoutEntrainment
         }
     }
 
     /// Mobility of the face between the nodes `a` and `b`.
-    #[inline(always)] // Callers that want the mobility alone drop the derivatives.
+    #[inline(always)] // Callers that only use the mobility drop the derivatives.
     pub(super) fn face_flow(&self, a: usize, b: usize, direction: Direction) -> FaceFlow {
         let flow = self.face_mobility.of(self.fluidity, &self.nodes[a], &self.nodes[b], direction);
         if self.ratios.is_empty() {
@@ -119,8 +119,8 @@ impl Discretisation {
         flow.thinned(self.ratios[a].of(direction), self.ratios[b].of(direction))
     }
 
-    /// Neighbours of node `k` (east, west, north, south) with coefficients and mobilities of the faces;
-    /// across a line contact they are the node itself.
+    /// Neighbors of node `k` (east, west, north, south) with coefficients and mobilities of the faces. In a line
+    /// contact the node is its own neighbor along y.
     #[inline]
     pub(super) fn neighbours(&self, k: usize) -> [(usize, f64, f64); 4] {
         let nx = if self.grid.ny() == 1 { 0 } else { self.grid.nx() };

@@ -1,4 +1,4 @@
-//! The discrete Reynolds equation, once for all solvers.
+//! The discrete Reynolds equation, shared by all solvers.
 //!
 //! Finite volumes on the cells of the grid. The net outflow of cell `k`, multiplied by `dx / U` with `U` the
 //! entrainment speed (or `dx / dt` if that is larger), is a film thickness \[m\]:
@@ -6,20 +6,20 @@
 //! `F_k = sum over faces of c a_face (phi_k - phi_neighbour) + w (M_east - M_west) + s (m_k - m_previous)`
 //!
 //! with `m = rho/rho_0 h`, `c = 1 / (U dx)` (faces in x) or `dx / (U dy^2)` (faces in y), `w = u / U` and
-//! `s = dx / (U dt)`. `M` is what entrainment carries through a face ([`Scheme`]); `a_face`, a mean of
+//! `s = dx / (U dt)`. `M` is the entrained flux through a face ([`Scheme`]); `a_face`, a mean of
 //! `h^3 / (12 eta_0)`, and the potential `phi` are those of the [`FaceMobility`].
 //!
 //! With shear thinning the mobility of a face is divided by the mean of `eta*/eta` of its two nodes along the
-//! face ([`ShearThinning`](super::ShearThinning)). Why not a mean of `a eta/eta*`: at steep viscosities the
-//! node of high pressure has nearly all of that and nearly none of the change of `q`. Divided like this the
-//! flow through a face still grows with the pressure of its node where `ln eta` is linear in pressure, as
-//! `q_end - q <= (dq/dp) / (d ln eta/dp)`, while `eta*/eta` falls no faster than `1/eta`.
+//! face ([`ShearThinning`](super::ShearThinning)). A mean of `a eta/eta*` would fail at steep viscosities: it is
+//! dominated by the node of high pressure, whose `q` hardly changes. With this division the flow through a face
+//! increases with the pressure of its node if `ln eta` is linear in pressure, because
+//! `q_end - q <= (dq/dp) / (d ln eta/dp)` and `eta*/eta` decreases no faster than `1/eta`.
 //!
-//! Films that are warmer than the laws ([`Lubricant::set_film_temperatures`]) have `rho/rho_0` times a ratio
-//! of densities and `eta*/eta` times a ratio of viscosities over that of densities, both by the pressure of
-//! the node; shear thinning then is that of the warmer fluid.
+//! In films warmer than the laws ([`Lubricant::set_film_temperatures`]), `rho/rho_0` is multiplied by a density
+//! ratio and `eta*/eta` by a viscosity ratio over that density ratio, both at the pressure of the node; shear
+//! thinning is that of the warm fluid.
 //!
-//! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
+//! The film in `a` is bounded below by half the contact film; the film in `m` is not bounded.
 
 mod across;
 mod balances;
@@ -49,32 +49,32 @@ use crate::reynolds::problem::{LubricatedContact, interior, outermost};
 pub(in crate::reynolds) struct Discretisation {
     /// The grid.
     pub(in crate::reynolds) grid: Grid,
-    /// How pressure drives fluid through a face.
+    /// Law of the pressure flow through a face.
     face_mobility: FaceMobility,
-    /// What entrainment carries through a face.
+    /// Entrainment scheme.
     scheme: Scheme,
-    /// What holds where the fluid cavitates.
+    /// Cavitation condition.
     cavitation: Cavitation,
-    /// What enters a row of cells at most \[m\]; infinite at a flooded inlet.
+    /// Largest film entrained into a row of cells \[m\]; infinite for a flooded inlet.
     supply: f64,
-    /// Fluid pressures of the outermost nodes \[Pa\]; empty where the pressure is ambient beyond them.
+    /// Fluid pressures of the outermost nodes \[Pa\]; empty for ambient pressure outside of them.
     edge_pressure: Vec<f64>,
-    /// Least film that mobilities count with \[m\].
+    /// Smallest film in mobilities \[m\].
     film_floor: f64,
-    /// Film below which pressure moves nothing \[m\]; no such film in hard contact.
+    /// Film below which the mobility is zero \[m\]; zero for hard contact.
     closed_film: f64,
-    /// `c` of the faces to the east of the nodes of each column \[s/m^2\].
+    /// `c` of the faces east of the nodes of each column \[s/m^2\].
     east_coefficients: Vec<f64>,
-    /// And to the north of those of each row.
+    /// `c` of the faces north of the nodes of each row.
     north_coefficients: Vec<f64>,
-    /// `w`; with spin that of the row through the centre.
+    /// `w`; with spin that of the center row.
     wedge: f64,
-    /// Surfaces that turn; none where they move along x alone.
+    /// Spin of the surfaces, if any.
     spin: Option<Box<Spin>>,
     /// `s`; zero without a squeeze term.
     squeeze: f64,
-    /// Squeeze against the masses at which a linear step begins: in the derivatives alone, as it vanishes
-    /// there.
+    /// Pseudo-transient squeeze coefficient relative to the masses at the start of a linear step. It enters the
+    /// derivatives only, as the term vanishes there.
     pseudo_transient: f64,
     /// `1 / (12 eta_0)`.
     fluidity: f64,
@@ -84,34 +84,33 @@ pub(in crate::reynolds) struct Discretisation {
     nodes: Vec<NodeFlow>,
     /// `m` of the nodes \[m\].
     masses: Vec<f64>,
-    /// `M` less `m` of the first node, of the faces to the east \[m\].
+    /// Entrainment correction `M - m` of the faces to the east, with `m` of the first node \[m\].
     beyond: Vec<f64>,
-    /// Film over that of the first node, of these faces.
+    /// Film of these faces over that of the first node.
     face_films: Vec<f64>,
-    /// Factors of the inlets at these faces.
+    /// Inlet factors of these faces.
     inlet_factors: Vec<f64>,
-    /// Squares of the cosines between the flow and the gradient of the undeformed gap, at these faces.
+    /// Squared cosines between flow and gradient of the undeformed gap at these faces.
     alignments: Vec<f64>,
     /// `M` of the faces to the east \[m\].
-    carried: Vec<f64>,
-    /// Share `theta` of the gap that is filled.
-    content: Vec<f64>,
-    /// Of nodes that are not filled, what of their inflow they carry on; zero elsewhere.
-    passed: Vec<f64>,
-    /// `a` of the faces to the east of the nodes.
+    entrained: Vec<f64>,
+    /// Film fraction `theta` of the nodes.
+    theta: Vec<f64>,
+    /// Fraction of a change of inflow advected by nodes that are not filled; zero elsewhere.
+    advected_fraction: Vec<f64>,
+    /// `a` of the faces east of the nodes.
     east: Vec<f64>,
-    /// And to the north.
+    /// `a` of the faces north of the nodes.
     north: Vec<f64>,
-    /// Flow by pressure through the faces to the east \[m\].
+    /// Pressure flow through the faces to the east \[m\].
     east_flow: Vec<f64>,
-    /// And to the north.
+    /// Pressure flow through the faces to the north.
     north_flow: Vec<f64>,
-    /// Shear thinning and the film in which the fluid at ambient pressure has `x = 1` \[m\]; none where it
-    /// is Newtonian.
+    /// Shear thinning and the film with `x = 1` at ambient pressure \[m\]; `None` for a Newtonian fluid.
     thinning: Option<(ShearThinning, f64)>,
-    /// Temperatures of the films at the nodes; empty where they are those of the laws.
+    /// Temperatures of the films at the nodes; empty for isothermal films.
     film_temperatures: Vec<NodeTemperature>,
-    /// `eta*/eta` of the nodes; empty without shear thinning in films that have the temperature of the law.
+    /// `eta*/eta` of the nodes; empty for a Newtonian fluid in isothermal films.
     ratios: Vec<NodeRatios>,
 }
 
@@ -138,9 +137,9 @@ impl Discretisation {
             nodes: vec![NodeFlow::default(); grid.len()],
             masses: zeros(),
             beyond: zeros(),
-            carried: zeros(),
-            content: vec![1.0; grid.len()],
-            passed: zeros(),
+            entrained: zeros(),
+            theta: vec![1.0; grid.len()],
+            advected_fraction: zeros(),
             face_films: vec![1.0; grid.len()],
             inlet_factors: vec![1.0; grid.len()],
             alignments: vec![1.0; grid.len()],
@@ -154,7 +153,7 @@ impl Discretisation {
         }
     }
 
-    /// Takes speeds, steps and schemes from the problem.
+    /// Sets speeds, time steps and schemes from the problem.
     pub(in crate::reynolds) fn configure(&mut self, problem: &LubricatedContact<'_>) {
         let (dx, dy) = (self.grid.dx(), self.grid.dy());
         let grid_speed = problem.squeeze.map_or(0.0, |s| dx / s.time_step);
@@ -167,8 +166,8 @@ impl Discretisation {
         if let Some(edge) = problem.edge_pressure.filter(|edge| edge.field.len() == self.grid.len()) {
             self.edge_pressure.extend_from_slice(edge.field);
         }
-        // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor
-        // at the contact film itself would hide from Newton that a node just under it can open.
+        // Films below the contact film occur in unconverged iterates. Their mobility keeps decreasing: a floor at
+        // the contact film itself would hide from Newton's method that a node just below it can open.
         self.film_floor = 0.5 * problem.contact_film();
         self.closed_film = if problem.is_paper() { problem.contact_film() } else { f64::NEG_INFINITY };
         self.rate = speed / dx;
@@ -190,14 +189,14 @@ impl Discretisation {
         let is_newtonian = self.thinning.is_none() && self.film_temperatures.is_empty();
         let thinned = if is_newtonian { 0 } else { self.grid.len() };
         self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
-        // Coarser grids, whose gaps are not those of the problem, only make corrections.
+        // Coarser grids, whose gaps are not those of the problem, only compute corrections.
         if problem.gap.len() == self.grid.len() {
             self.align(problem.gap);
         }
     }
 
-    /// Takes over the temperatures of the films at the nodes of the grid `of` the problem, on a coarser grid
-    /// those of the nodes next to its own.
+    /// Sets the film temperatures from those on the grid `of` the problem; on a coarser grid from the nearest
+    /// nodes.
     fn warm(&mut self, films: &[NodeTemperature], of: &Grid) {
         self.film_temperatures.clear();
         if films.len() == self.grid.len() {
@@ -211,7 +210,7 @@ impl Discretisation {
         }
     }
 
-    /// Takes the normals of edges from the undeformed gap.
+    /// Sets the alignments of edges from the undeformed gap.
     fn align(&mut self, gap: &[f64]) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
         for k in (0..n - 1).filter(|k| k % nx + 1 < nx) {
@@ -225,13 +224,13 @@ impl Discretisation {
         }
     }
 
-    /// Ratios to the laws at node `k` under fluid pressure `p`; none where films have their temperature.
+    /// Temperature corrections of the laws at node `k` under fluid pressure `p`; `None` for an isothermal film.
     #[inline]
     fn thermal_ratios(&self, lubricant: &Lubricant, k: usize, p: f64) -> Option<ThermalRatios> {
         self.film_temperatures.get(k).and_then(|films| lubricant.thermal_ratios(films, p))
     }
 
-    /// The quantities of a node at fluid pressure `p` and film `h`, the film `warm` or not.
+    /// The quantities of a node at fluid pressure `p` and film `h`, with temperature corrections `warm` if any.
     #[inline]
     fn node_flow(&self, lubricant: &Lubricant, warm: Option<ThermalRatios>, p: f64, h: f64) -> NodeFlow {
         let point = lubricant.at(p);
@@ -272,7 +271,7 @@ impl Discretisation {
         }
     }
 
-    /// `eta*/eta` of a node at fluid pressure `p` and film `h`, the film `warm` or not.
+    /// `eta*/eta` of a node at fluid pressure `p` and film `h`, with temperature corrections `warm` if any.
     fn viscosity_ratios(
         &self,
         lubricant: &Lubricant,
@@ -284,7 +283,7 @@ impl Discretisation {
         let Some((law, length)) = self.thinning else { return warmed(NodeRatios::NEWTONIAN) };
         let point = lubricant.at(p);
         let floored = h.max(self.film_floor);
-        // Density over slope of the reduced pressure is the viscosity over that at ambient pressure.
+        // Density over the slope of the reduced pressure is the viscosity over that at ambient pressure.
         let (ratio, slope) = warm.map_or((1.0, 0.0), |warm| (warm.viscosity, warm.viscosity_slope));
         let x = ratio * length / floored * (point.density / point.reduced_slope);
         let by_pressure =
@@ -293,8 +292,7 @@ impl Discretisation {
         warmed(law.node_ratios(x, [by_pressure, by_film]))
     }
 
-    /// Takes over fluid pressure and film of every node, and the masses of the previous time, where there is
-    /// one.
+    /// Updates all quantities for the given fluid pressures and films, and the previous masses with squeeze.
     pub(in crate::reynolds) fn update(
         &mut self,
         lubricant: &Lubricant,
@@ -303,26 +301,28 @@ impl Discretisation {
         previous: Option<&[f64]>,
     ) {
         self.update_faces(lubricant, pressure, film);
-        self.carry(0, pressure, previous);
+        self.update_entrained(0, pressure, previous);
     }
 
-    /// What the gaps hold and carry through the faces to the east, where the first `held` columns are as they
-    /// should be.
-    fn carry(&mut self, held: usize, pressure: &[f64], previous: Option<&[f64]>) {
+    /// Updates film fractions and entrained masses of the faces to the east. The first `held` columns are already up
+    /// to date.
+    fn update_entrained(&mut self, held: usize, pressure: &[f64], previous: Option<&[f64]>) {
         let (nx, n) = (self.grid.nx(), self.grid.len());
+        // Entrain full films first.
         for k in (0..n).step_by(nx).flat_map(|first| first + held..first + nx) {
-            self.carried[k] = self.masses[k] + self.beyond[k];
-            self.content[k] = 1.0;
+            self.entrained[k] = self.masses[k] + self.beyond[k];
+            self.theta[k] = 1.0;
         }
-        self.passed.fill(0.0);
+        self.advected_fraction.fill(0.0);
         if self.cavitation == Cavitation::MassConserving {
-            self.starve();
+            self.apply_starvation();
             if self.spin.is_some() {
-                self.fill_across(pressure, previous);
+                self.update_film_fractions_across(pressure, previous);
                 return;
             }
+            // Film fractions of cavitated nodes, in flow direction.
             for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0 && k % nx >= held) {
-                self.fill(k, previous);
+                self.update_film_fraction(k, previous);
             }
         }
     }
@@ -338,8 +338,9 @@ impl Discretisation {
         }
     }
 
-    /// Nodes, faces, and what entrainment carries beyond the nodes.
+    /// Updates nodes, faces and entrainment corrections.
     fn update_faces(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
+        // Density, mobility and potential of the nodes.
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
             self.update_node(lubricant, k, p, h);
         }
@@ -348,6 +349,7 @@ impl Discretisation {
                 self.update_node(lubricant, k, self.edge_pressure[k], film[k]);
             }
         }
+        // Entrainment corrections, then the pressure flow through the faces to the east and to the north.
         self.update_entrainment();
         let (nx, n) = (self.grid.nx(), self.grid.len());
         for k in 0..n - 1 {
@@ -365,41 +367,41 @@ impl Discretisation {
         }
     }
 
-    /// Lets no more than the supply through the faces at the inlet edge.
-    fn starve(&mut self) {
+    /// Limits the flow through the faces at the inlet edge to the supply.
+    fn apply_starvation(&mut self) {
         for first in (0..self.grid.len()).step_by(self.grid.nx()) {
-            let full = self.carried[first];
-            // A meniscus upstream of the box has filled the gap where pressure reaches its edge.
+            let full = self.entrained[first];
+            // A meniscus upstream of the box has filled the gap if there is pressure at its edge.
             let is_filled = self.edge_pressure.get(first).is_some_and(|pressure| *pressure > 0.0);
             if full > self.supply && !is_filled {
-                self.content[first] = self.supply / full;
-                self.carried[first] = self.supply;
+                self.theta[first] = self.supply / full;
+                self.entrained[first] = self.supply;
             }
         }
     }
 
-    /// Whether node `k` is one of the inlet edge that gets less than fills it: what it carries on does not
-    /// depend on its film.
+    /// Whether node `k` is on the inlet edge and supplied with less than a full film: its outflow does not depend on
+    /// its film.
     #[inline]
     fn is_starved(&self, k: usize) -> bool {
-        self.content[k] < 1.0 && k.is_multiple_of(self.grid.nx())
+        self.theta[k] < 1.0 && k.is_multiple_of(self.grid.nx())
     }
 
-    /// Fills the gap of node `k`, which has no pressure, by what enters it; upstream nodes come first.
-    fn fill(&mut self, k: usize, previous: Option<&[f64]>) {
-        let full = self.wedge * self.carried[k];
-        if let Some((content, taken)) = self.content_of(k, [self.wedge * self.carried[k - 1], full], previous)
+    /// Updates the film fraction of node `k`, which has no pressure, from its inflow; upstream nodes come first.
+    fn update_film_fraction(&mut self, k: usize, previous: Option<&[f64]>) {
+        let full = self.wedge * self.entrained[k];
+        if let Some((theta, inflow_factor)) =
+            self.film_fraction_of(k, [self.wedge * self.entrained[k - 1], full], previous)
         {
-            self.content[k] = content;
-            self.carried[k] *= content;
-            self.passed[k] = full / taken;
+            self.theta[k] = theta;
+            self.entrained[k] *= theta;
+            self.advected_fraction[k] = full / inflow_factor;
         }
     }
 
-    /// The content of node `k`, which has no pressure, where it is not filled, and what it takes of a change of
-    /// its inflow to fill it; `[enters, leaves]` is what is carried into it, and out of it with its own gap
-    /// filled.
-    fn content_of(
+    /// Film fraction of node `k`, which has no pressure, if it is below one, and its derivative by the inflow.
+    /// `[enters, leaves]` are the entrained flows into the node, and out of it at film fraction one.
+    fn film_fraction_of(
         &self,
         k: usize,
         [enters, leaves]: [f64; 2],
@@ -408,12 +410,12 @@ impl Discretisation {
         let mass = self.masses[k];
         let whole = leaves + self.squeeze * mass;
         let kept = previous.map_or(0.0, |previous| self.squeeze * previous[k]);
-        let content = (enters + kept - self.pressure_outflow(k)) / whole;
-        let taken = whole + self.pseudo_transient * mass;
-        (whole > 0.0 && content < 1.0).then_some((content.max(0.0), taken))
+        let theta = (enters + kept - self.pressure_outflow(k)) / whole;
+        let inflow_factor = whole + self.pseudo_transient * mass;
+        (whole > 0.0 && theta < 1.0).then_some((theta.max(0.0), inflow_factor))
     }
 
-    /// Flow by pressure out of node `k`.
+    /// Pressure flow out of node `k`.
     #[inline]
     fn pressure_outflow(&self, k: usize) -> f64 {
         let along = self.east_flow[k] - self.east_flow[k - 1];
@@ -423,19 +425,19 @@ impl Discretisation {
         along + (self.north_flow[k] - self.north_flow[k - self.grid.nx()])
     }
 
-    /// What node `k` holds, `theta rho/rho_0 h` \[m\].
+    /// Mass per area of node `k`, `theta rho/rho_0 h` \[m\].
     pub(in crate::reynolds) fn held_mass(&self, k: usize) -> f64 {
-        self.content[k] * self.masses[k]
+        self.theta[k] * self.masses[k]
     }
 
-    /// The share of the gaps that is filled.
-    pub(in crate::reynolds) fn content(&self) -> &[f64] {
-        &self.content
+    /// Film fractions of the nodes.
+    pub(in crate::reynolds) fn film_fractions(&self) -> &[f64] {
+        &self.theta
     }
 
-    /// What node `k` carries on of a change of its inflow, where it is not filled; zero elsewhere.
-    pub(in crate::reynolds) fn passed(&self, k: usize) -> f64 {
-        self.passed[k]
+    /// Fraction of a change of inflow advected by node `k` if it is not filled; zero elsewhere.
+    pub(in crate::reynolds) fn advected_fraction(&self, k: usize) -> f64 {
+        self.advected_fraction[k]
     }
 
     /// Overrides the schemes of the problem until the next [`Self::configure`].
@@ -444,13 +446,13 @@ impl Discretisation {
         self.face_mobility = face_mobility;
     }
 
-    /// Overrides the condition of the problem until the next [`Self::configure`].
+    /// Overrides the cavitation condition of the problem until the next [`Self::configure`].
     pub(in crate::reynolds) fn set_cavitation(&mut self, cavitation: Cavitation) {
         self.cavitation = cavitation;
     }
 
-    /// Makes the next linear steps, until [`Self::configure`], steps in time of `1 / share` passages of a
-    /// cell.
+    /// Makes the next linear steps pseudo-time steps of `1 / share` cell transit times, until
+    /// [`Self::configure`].
     pub(in crate::reynolds) fn set_pseudo_transient(&mut self, share: f64) {
         self.pseudo_transient = share * self.wedge;
     }

@@ -1,35 +1,34 @@
-//! The share of a balance that is a node's own, neighbours held.
+//! Outflow of one node with fixed neighbors.
 //!
-//! Nonlinear elimination solves the equations of one node while all others stand still. What does not change
-//! meanwhile is taken once (`held_neighbours`); what is asked for again and again is the outflow at a
-//! pressure and a film.
+//! Nonlinear elimination solves the equations of one node with fixed neighbors. `held_neighbours` collects the
+//! quantities that do not change in the iteration; `outflow` evaluates the net outflow at a pressure and a film.
 
 use super::super::face_mobility::Direction;
 use super::super::node::NodeFlow;
 use super::super::shear_thinning::{NodeRatios, ViscosityRatio};
-use super::super::spin::{carried, carried_derivatives};
+use super::super::spin::{entrained, entrained_derivatives};
 use super::Discretisation;
 use crate::lubricant::Lubricant;
 
-/// A node across a face of coefficient `c`, held.
+/// A fixed node across a face of coefficient `c`.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::reynolds) struct HeldNeighbour {
     /// Coefficient `c` of the face.
     pub(super) c: f64,
     /// Quantities of the neighbour.
     flow: NodeFlow,
-    /// Its viscosity for the flow over that of the law.
+    /// Its effective viscosity over that of the law.
     ratio: ViscosityRatio,
-    /// Which way the face lies.
+    /// Direction of the face.
     direction: Direction,
-    /// Whether it is the first node of the face.
+    /// Whether this node is the first one of the face.
     is_first: bool,
-    /// What turning surfaces carry out of the node towards it, over what a face between full gaps does.
-    pub(super) carried: f64,
+    /// Flow entrained by spin towards it, over that of a face at film fraction one.
+    pub(super) entrained: f64,
 }
 
 impl Discretisation {
-    /// How strongly `F_k` depends on the own mass: entrainment and squeezes together.
+    /// Coefficient of the node's own mass in `F_k`, from entrainment and squeeze.
     pub(in crate::reynolds) fn own_mass(&self, k: usize) -> f64 {
         self.upwind(k)[0] + self.squeeze + self.pseudo_transient
     }
@@ -44,12 +43,12 @@ impl Discretisation {
             ratio: self.ratios.get(o).unwrap_or(&NodeRatios::NEWTONIAN).of(direction),
             direction,
             is_first,
-            carried: 0.0,
+            entrained: 0.0,
         };
         let mut held = [
             held(east, self.along(k), false),
-            // What flows into a node that is not filled comes back with all it carries on.
-            held((west.0, west.1 * (1.0 - self.passed[k - 1]), west.2), self.along(k - 1), true),
+            // An inflow to a node that is not filled returns with its advected fraction.
+            held((west.0, west.1 * (1.0 - self.advected_fraction[k - 1]), west.2), self.along(k - 1), true),
             held(north, Direction::Across, false),
             held(south, Direction::Across, true),
         ];
@@ -57,7 +56,7 @@ impl Discretisation {
         held
     }
 
-    /// Density, its slope, then flow through all faces of node `k` at fluid pressure and film `(p, h)` and its
+    /// Density and its slope, then flow through all faces of node `k` at fluid pressure and film `(p, h)` and its
     /// derivatives by both.
     pub(in crate::reynolds) fn outflow(
         &self,
@@ -72,7 +71,7 @@ impl Discretisation {
         ([node.density, node.density_p], self.flow_of(&node, &ratios, neighbours))
     }
 
-    /// The same of node `k` as it was at the last update.
+    /// The same at the pressure and film of the last update.
     pub(in crate::reynolds) fn present_outflow(
         &self,
         k: usize,
@@ -83,7 +82,7 @@ impl Discretisation {
         ([node.density, node.density_p], self.flow_of(node, ratios, neighbours))
     }
 
-    /// Flow by pressure out of a node with these quantities, and its derivatives by pressure and film.
+    /// Pressure flow out of a node with these quantities, and its derivatives by pressure and film.
     #[inline]
     pub(super) fn flow_of(
         &self,
@@ -105,11 +104,11 @@ impl Discretisation {
             sums[0] += face.mobility * drop;
             sums[1] += own[0] * drop + held.c * face.mobility * node.potential_p;
             sums[2] += own[1] * drop;
-            if held.carried != 0.0 {
-                let [by_pressure, _, by_film, _] = carried_derivatives(node, &held.flow);
-                sums[0] += held.carried * carried(node, &held.flow);
-                sums[1] += held.carried * by_pressure;
-                sums[2] += held.carried * by_film;
+            if held.entrained != 0.0 {
+                let [by_pressure, _, by_film, _] = entrained_derivatives(node, &held.flow);
+                sums[0] += held.entrained * entrained(node, &held.flow);
+                sums[1] += held.entrained * by_pressure;
+                sums[2] += held.entrained * by_film;
             }
         }
         sums

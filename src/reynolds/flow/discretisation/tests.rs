@@ -9,15 +9,14 @@ fn oil() -> Lubricant {
     Lubricant::new(Roelands::new(0.04, 0.6, 1.96e8).unwrap(), DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap())
 }
 
-/// Fluids at 0.3 m/s of sliding, effective and directional.
+/// Fluids with effective and directional thinning at a sliding speed of 0.3 m/s.
 fn laws() -> impl Iterator<Item = ShearThinning> {
     let rheologies = [Rheology::eyring(5e6), Rheology::carreau(5e6, 0.5), Rheology::carreau(5e6, 0.34)];
     let laws = rheologies.into_iter().map(|rheology| ShearThinning::new(rheology.unwrap(), 0.3).unwrap());
     laws.flat_map(|law| [law, law.directional()])
 }
 
-/// A row of nodes with the coefficients that fluxes are counted in, whose fluid has `x = 1` at ambient
-/// pressure in a film of `length`.
+/// A row of nodes with unit coefficients, whose fluid has `x = 1` at ambient pressure in a film of `length`.
 fn row(face_mobility: FaceMobility, law: ShearThinning, length: f64) -> Discretisation {
     let mut fluid = Discretisation::new(Grid::from_edges(5, 1, [0.0, 5e-5], [-0.5, 0.5]).unwrap());
     (fluid.face_mobility, fluid.fluidity) = (face_mobility, 1.0 / (12.0 * 0.04));
@@ -28,7 +27,7 @@ fn row(face_mobility: FaceMobility, law: ShearThinning, length: f64) -> Discreti
 }
 
 #[test]
-fn equal_nodes_flow_by_the_viscosity_along_the_sliding_direction() {
+fn flow_between_equal_nodes_has_the_viscosity_along_sliding() {
     let oil = oil();
     for (law, face_mobility) in laws().flat_map(|law| MOBILITIES.map(|mobility| (law, mobility))) {
         let mut fluid = row(face_mobility, law, law.length(0.04));
@@ -46,7 +45,8 @@ fn equal_nodes_flow_by_the_viscosity_along_the_sliding_direction() {
     }
 }
 
-/// Faces across the sliding direction have the secant, faces along it the tangent, in motion and at rest.
+/// Faces across the sliding direction have the secant viscosity, faces along it the tangent, with or without
+/// entrainment.
 #[test]
 fn faces_have_the_viscosity_of_their_direction() {
     let oil = oil();
@@ -77,7 +77,7 @@ fn faces_have_the_viscosity_of_their_direction() {
 fn flow_between_two_pressures_tends_to_the_integral() {
     let oil = Lubricant::new(Barus::new(0.04, 20e-9).unwrap(), Incompressible);
     let eyring = ShearThinning::new(Rheology::eyring(5e6).unwrap(), 0.3).unwrap();
-    // The trapezoidal rule of a Newtonian fluid is wrong by 2.1 % over the smaller step.
+    // The trapezoidal rule for a Newtonian fluid has an error of 2.1 % over the smaller step.
     for (law, bound) in [(eyring, 0.021), (eyring.directional(), 0.022)] {
         check_flow_between_two_pressures(&oil, law, bound);
     }
@@ -110,7 +110,7 @@ fn check_flow_between_two_pressures(oil: &Lubricant, law: ShearThinning, bound: 
                 "{errors:?} from {low:e}, {face_mobility:?}"
             );
         }
-        // Steep ones: exponents of the viscosity 10 and 20 apart.
+        // Steep viscosities with exponents that differ by 10 and 20.
         for (low, high) in [(0.0, 5e8), (0.0, 1e9), (5e8, 1.5e9)] {
             let wrong = error(low, high);
             if face_mobility != FaceMobility::Arithmetic {
@@ -134,7 +134,7 @@ fn thinned_flow_has_exact_derivatives() {
             let (p, h) = (pressure[2], film[2]);
             let [value, by_pressure, by_film] = flow(p, h);
             assert!((fluid.balance(2, None) / value - 1.0).abs() < 1e-13, "{value:e}");
-            // Steps that stay within one interval of the table.
+            // Steps within one interval of the table.
             let (dp, dh) = (2e4, 1e-5 * h);
             let p = p + 1e6;
             let [_, at_p, _] = flow(p, h);
@@ -142,7 +142,7 @@ fn thinned_flow_has_exact_derivatives() {
             assert!((difference / at_p - 1.0).abs() < 1e-7, "{difference:e}, {at_p:e}");
             let difference = (flow(pressure[2], h + dh)[0] - flow(pressure[2], h - dh)[0]) / (2.0 * dh);
             assert!((difference / by_film - 1.0).abs() < 1e-7, "{difference:e}, {by_film:e}");
-            // The same as the flows through both faces.
+            // The sum must equal the flows through both faces.
             let (west, east) = (fluid.east_flow_derivatives(1), fluid.east_flow_derivatives(2));
             for (derivative, slot) in [(by_pressure, 0), (by_film, 2)] {
                 let change = east[slot] - west[slot + 1];
@@ -152,9 +152,9 @@ fn thinned_flow_has_exact_derivatives() {
     }
 }
 
-/// Where the logarithm of the viscosity is linear in pressure, whatever the films.
+/// If the logarithm of the viscosity is linear in pressure, for any films.
 #[test]
-fn thinned_flow_grows_with_the_pressure_of_its_node() {
+fn thinned_flow_increases_with_the_pressure_of_its_node() {
     let oil = Lubricant::new(Barus::new(0.04, 20e-9).unwrap(), Incompressible);
     for (law, length) in laws().flat_map(|law| [1e-12, 1e-9, 1e-6].map(|length| (law, length))) {
         for film in [[1e-9, 1e-7], [1e-7, 1e-9], [3e-8, 3e-8]] {
@@ -176,7 +176,7 @@ fn thinned_flow_grows_with_the_pressure_of_its_node() {
     }
 }
 
-/// Pressures of a few cells, a third of them none, and films of a nanometre to a tenth of a micrometre.
+/// Pressures on a few cells, a third of them zero, and films of a nanometre to a tenth of a micrometre.
 fn rough_state(grid: &Grid) -> (Vec<f64>, Vec<f64>) {
     let wave = |k: usize, a: f64| (a * k as f64).sin();
     let pressure = (0..grid.len()).map(|k| 3e8 * (0.4 + wave(k, 1.7) * wave(k, 0.31)).max(0.0)).collect();
@@ -185,7 +185,7 @@ fn rough_state(grid: &Grid) -> (Vec<f64>, Vec<f64>) {
 }
 
 #[test]
-fn balances_in_a_window_are_those_of_the_whole() {
+fn balances_in_a_window_equal_those_of_the_full_grid() {
     let oil = oil();
     let grid = Grid::from_edges(30, 20, [0.0, 3e-5], [0.0, 2e-5]).unwrap();
     let (pressure, film) = rough_state(&grid);
@@ -204,7 +204,7 @@ fn balances_in_a_window_are_those_of_the_whole() {
             let there = |q: usize| first + q % nx + q / nx * grid.nx();
             let here = |values: &[f64]| (0..nx * ny).map(|q| values[there(q)]).collect::<Vec<_>>();
             let mut window = Discretisation::new(grid.corner(nx, ny));
-            window.look_at(&whole, first);
+            window.set_window(&whole, first);
             let previous_here = here(&previous);
             window.update_window(&oil, &here(&pressure), &here(&film), Some(&previous_here));
             let mut unfilled = 0;
@@ -224,7 +224,7 @@ fn balances_in_a_window_are_those_of_the_whole() {
                         "{found:e}, {exact:e} at {q}, {face_mobility:?}, {scheme:?}"
                     );
                 }
-                unfilled += usize::from(whole.content[k] < 1.0);
+                unfilled += usize::from(whole.theta[k] < 1.0);
             }
             assert!(unfilled > 3, "{unfilled} cells are not filled, {face_mobility:?}, {scheme:?}");
         }

@@ -1,21 +1,21 @@
-//! A window on the flow: the same equations on a few cells, all around them held.
+//! A window of the flow: the same equations on a few cells with a fixed surrounding.
 //!
-//! Newton's method on a pocket works on a window of its own size: coefficients and what crosses the western
-//! edge are copied from the whole, and balances of nodes within [`MARGIN`] of an edge are not asked for.
+//! Newton's method on an isolated region uses a window of its size. Coefficients and the entrained flow across the
+//! western edge are copied from the full grid. Balances of nodes within [`MARGIN`] of an edge are not used.
 
 use super::super::shear_thinning::NodeRatios;
 use super::Discretisation;
 use crate::lubricant::Lubricant;
 
-/// Nodes along each edge of a window whose balances want more than the window holds.
+/// Nodes along each edge of a window whose balances need nodes outside of it.
 pub(in crate::reynolds) const MARGIN: usize = 3;
 
-/// What is carried through the faces of so many columns at the western edge is that of the whole.
+/// Number of columns at the western edge whose entrained flow is copied from the full grid.
 const HELD_COLUMNS: usize = 2;
 
 impl Discretisation {
-    /// Becomes a window on `whole` whose node 0 is the node `first` there.
-    pub(in crate::reynolds) fn look_at(&mut self, whole: &Self, first: usize) {
+    /// Makes this a window of `whole` whose node 0 is the node `first` there.
+    pub(in crate::reynolds) fn set_window(&mut self, whole: &Self, first: usize) {
         self.face_mobility = whole.face_mobility;
         self.scheme = whole.scheme;
         self.cavitation = whole.cavitation;
@@ -40,12 +40,12 @@ impl Discretisation {
                 self.film_temperatures.extend_from_slice(&whole.film_temperatures[there.clone()]);
             }
             for (here, there) in here.zip(there).take(HELD_COLUMNS) {
-                (self.carried[here], self.content[here]) = (whole.carried[there], whole.content[there]);
+                (self.entrained[here], self.theta[here]) = (whole.entrained[there], whole.theta[there]);
             }
         }
     }
 
-    /// Takes over fluid pressure and film of every node of a window.
+    /// Updates a window for the given fluid pressures and films.
     pub(in crate::reynolds) fn update_window(
         &mut self,
         lubricant: &Lubricant,
@@ -54,6 +54,6 @@ impl Discretisation {
         previous: Option<&[f64]>,
     ) {
         self.update_faces(lubricant, pressure, film);
-        self.carry(HELD_COLUMNS, pressure, previous);
+        self.update_entrained(HELD_COLUMNS, pressure, previous);
     }
 }

@@ -1,10 +1,10 @@
-//! How far the film is from that of a flooded inlet, by the edges of the box.
+//! Error of the film by the edges of the box, relative to a flooded inlet.
 //!
-//! Ambient pressure at an edge lacks the reduced pressure `q` that the flooded film has there. The reduced pressure at
-//! which the contact begins is `q_c = 1/(alpha + 1/(0.35 p_H))`: the oil stiffens, or the bodies deflect. The film is
-//! then thinner by at most `0.7 q/q_c` of it, the sum over the inlet edge and the sides. The load outside `W_o` makes it
-//! thinner by up to `c W_o/W` with `c = H^2`, `H = h R/a^2`, between 0.3 and, where bodies hardly deflect, 1.5; of a point
-//! contact `W_o/W = 8.8 / (M^(4/3) X)` with the distance `X` of the inlet edge in half-widths.
+//! A flooded film has the reduced pressure `q` at an edge; ambient pressure there lacks it. The contact begins at the
+//! reduced pressure `q_c = 1/(alpha + 1/(0.35 p_H))`, where the oil stiffens or the bodies deflect. The film is then too
+//! thin by at most `0.7 q/q_c` of its thickness, summed over the inlet edge and the sides. The load `W_o` outside makes
+//! it thinner by up to `c W_o/W` with `c = H^2`, `H = h R/a^2`, between 0.3 and, for nearly rigid bodies, 1.5. For a
+//! point contact `W_o/W = 8.8 / (M^(4/3) X)`, with the distance `X` of the inlet edge in half-widths.
 
 use crate::analytic::RigidParaboloids;
 use crate::error::InputError;
@@ -14,25 +14,25 @@ use crate::sim::contact::formula::FormulaFilm;
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
 
-/// Error that is left as it is, of the film.
+/// Film error that is accepted.
 const SMALL: f64 = 5e-3;
-/// Error over the share of the reduced pressure that an edge lacks, and the part of it that is left where the outer
-/// contact hands it over.
+/// Film error over the fraction of the reduced pressure missing at an edge, and its remaining part with the pressures of
+/// an outer contact.
 const BY_PRESSURE: f64 = 0.7;
 const HANDED_OVER: f64 = 0.04;
-/// Error of the outer contact where the bodies are rigid, by its mesh, and the film `H` from which they are.
+/// Error by the mesh of the outer contact for rigid bodies, and the film `H` above which they are rigid.
 const BY_OUTER_MESH: f64 = 7e-3;
 const RIGID_FILM: f64 = 4.0;
-/// Pressure at which bodies deflect, over that of Hertz.
+/// Pressure at which bodies deflect, over the Hertz pressure.
 const DEFLECTING: f64 = 0.35;
-/// Place of the largest pressure at a side, upstream, in half-widths.
+/// Position of the largest pressure at a side, upstream, in half-widths.
 const SIDE_AT: f64 = -0.5;
-/// Load outside of a point contact, times `M^(4/3) X` over the load.
+/// Load outside of the box of a point contact, times `M^(4/3) X` over the load.
 const LOAD_OUTSIDE: f64 = 8.8;
-/// Error of the film over the load outside over the load, of contacts whose bodies deflect much and of rigid ones.
+/// Film error over the relative load outside, for strongly deflecting and for rigid bodies.
 const BY_LOAD: [f64; 2] = [0.3, 1.5];
 
-/// What the edges of a box make of the film of a flooded contact.
+/// Film error of a flooded contact by the edges of its box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::sim) struct BoxError {
     /// Relative error with ambient pressure at the edges.
@@ -42,31 +42,31 @@ pub(in crate::sim) struct BoxError {
 }
 
 impl BoxError {
-    /// Of a box without an inlet.
+    /// Error without an inlet.
     pub(in crate::sim) const NONE: Self = Self { ambient: 0.0, handed_over: 0.0 };
 
-    /// Whether the box holds the inlet: ambient pressure at its edges does no harm.
+    /// Whether the box contains the inlet: ambient pressure at its edges is accurate enough.
     pub(in crate::sim) fn is_small(&self) -> bool {
         self.ambient < SMALL
     }
 
-    /// The error of the film of a solve.
+    /// The film error of a solve.
     pub(in crate::sim) fn of_solve(&self) -> f64 {
         if self.is_small() { self.ambient } else { self.handed_over }
     }
 }
 
-/// Half-widths of the contact that a box holds at least where pressures are handed to its edge.
+/// Smallest extent of a box with given edge pressures, in half-widths of the contact.
 const LEAST_BOX: f64 = 1.2;
 
-/// Lengths and pressures of a flooded contact, which tell the error of any box.
+/// Lengths and pressures of a flooded contact, for the error of any box.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct InletScale {
     rigid: RigidParaboloids,
     /// Viscosity at ambient pressure times entrainment speed \[N/m\].
     drag: f64,
     is_line: bool,
-    /// Half the extent of the Hertz contact along x and y \[m\], and the curvatures along them \[1/m\].
+    /// Half extents of the Hertz contact along x and y \[m\], and the curvatures along them \[1/m\].
     halves: [f64; 2],
     curvatures: [f64; 2],
     /// Central film \[m\].
@@ -77,7 +77,7 @@ pub(in crate::sim) struct InletScale {
     moes_load: f64,
 }
 
-/// A lubricated contact of a scene, as far as its inlet depends on it.
+/// The parts of a lubricated contact that determine its inlet.
 pub(in crate::sim) struct Contact<'a> {
     pub(in crate::sim) scene: &'a Scene,
     pub(in crate::sim) hertz: &'a HertzContact,
@@ -87,7 +87,7 @@ pub(in crate::sim) struct Contact<'a> {
 }
 
 impl InletScale {
-    /// Of a `contact` whose inlet is flooded.
+    /// From a `contact` with a flooded inlet.
     pub(in crate::sim) fn new(contact: &Contact<'_>) -> Result<Self, InputError> {
         let (radius_x, radius_y) = contact.scene.form.radii_of_entrainment();
         let curvatures = [1.0 / radius_x, 1.0 / radius_y];
@@ -109,20 +109,20 @@ impl InletScale {
         self.film
     }
 
-    /// Of the box of `grid`.
+    /// The error in the box of `grid`.
     pub(in crate::sim) fn error_on(&self, grid: &Grid) -> BoxError {
         let inlet = 0.5 * grid.dx() - grid.x(0);
         let side = (0.5 * grid.dy() - grid.y(0)).min(grid.y(grid.ny() - 1) + 0.5 * grid.dy());
         self.box_error(inlet, side)
     }
 
-    /// Distance along `axis` at which the gap is as wide as the film, or the half-width of the contact where that is
-    /// more \[m\].
+    /// Distance along `axis` at which the gap equals the film, at least the half-width of the contact \[m\].
+    ///
     pub(in crate::sim) fn length(&self, axis: usize) -> f64 {
         (2.0 * self.film / self.curvatures[axis]).sqrt().max(self.halves[axis])
     }
 
-    /// Whether the box of `grid` holds the contact with some room at its edges.
+    /// Whether the box of `grid` contains the contact with a margin at its edges.
     pub(in crate::sim) fn is_held_by(&self, grid: &Grid) -> bool {
         let reaches = |first: f64, width: f64, n: usize, half: f64| {
             let (low, high) = (first - 0.5 * width, first + (n as f64 - 0.5) * width);
@@ -132,7 +132,7 @@ impl InletScale {
             && (self.is_line || reaches(grid.y(0), grid.dy(), grid.ny(), self.halves[1]))
     }
 
-    /// Of a box that ends `inlet` \[m\] upstream and `side` \[m\] aside of the middle.
+    /// The error of a box that ends `inlet` \[m\] upstream and `side` \[m\] beside the center.
     pub(in crate::sim) fn box_error(&self, inlet: f64, side: f64) -> BoxError {
         let share = |point: [f64; 2], gap: f64| {
             self.rigid.reduced_pressure(self.drag, point, self.film + gap) / self.stiff
@@ -144,7 +144,7 @@ impl InletScale {
         }
         let scaled_film = self.film / (self.curvatures[0] * self.halves[0].powi(2));
         let outside = if self.is_line {
-            // The pressure falls as `x^-3`, and half of it lies within the length of the film.
+            // The pressure decays as `x^-3`; half of it lies within the film length.
             0.5 * share([-inlet, 0.0], self.gap(0, inlet))
         } else {
             LOAD_OUTSIDE * self.moes_load.powf(-4.0 / 3.0) * self.halves[0] / inlet
@@ -156,7 +156,7 @@ impl InletScale {
         }
     }
 
-    /// Gap of the elastic bodies without film at a `distance` from the middle along `axis` \[m\], by Hertz.
+    /// Hertz gap of the elastic bodies without film at a `distance` from the center along `axis` \[m\].
     fn gap(&self, axis: usize, distance: f64) -> f64 {
         let half = self.halves[axis];
         let x = distance / half;

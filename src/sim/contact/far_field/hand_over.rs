@@ -1,10 +1,10 @@
-//! From the mesh of the outer contact to that of the inner one.
+//! Interpolation from the mesh of the outer contact to that of the inner one.
 
 use crate::grid::Grid;
 
-/// The value of `field` at the point `(x, y)` by cubics through four nodes along each axis, of a `positive` one by cubics
-/// of its logarithm; bilinear beside the edge of the grid and beside nodes where a positive field is zero. Zero outside
-/// of the grid.
+/// The value of `field` at the point `(x, y)` by cubic interpolation along each axis, for a `positive` field of its
+/// logarithm. Next to the edge of the grid and to zeros of a positive field it is bilinear; outside of the grid it is
+/// zero.
 pub(super) fn interpolate(grid: &Grid, field: &[f64], [x, y]: [f64; 2], positive: bool) -> f64 {
     let along = [(x - grid.x(0)) / grid.dx(), (y - grid.y(0)) / grid.dy()];
     let (nx, ny) = (grid.nx(), grid.ny());
@@ -30,7 +30,7 @@ pub(super) fn interpolate(grid: &Grid, field: &[f64], [x, y]: [f64; 2], positive
         if !positive {
             return sum(&|value| value);
         }
-        // Pressures rise by powers of ten towards the contact: cubics of their logarithms stay positive.
+        // Pressures increase by orders of magnitude towards the contact: cubics of their logarithms stay positive.
         let logarithm = sum(&f64::ln);
         if logarithm.is_finite() {
             return logarithm.exp();
@@ -41,8 +41,8 @@ pub(super) fn interpolate(grid: &Grid, field: &[f64], [x, y]: [f64; 2], positive
     if ny == 1 { row(0) } else { (1.0 - t) * row(j) + t * row(j + 1) }
 }
 
-/// The node below `position` of `n`, and the weights of the cubic through it, the one before and the two after; none
-/// outside of the nodes.
+/// The node below `position` of `n`, and the cubic weights of the four nodes around it; `None` outside of the nodes.
+///
 fn weights(position: f64, n: usize) -> Option<(usize, [f64; 4])> {
     if !(position >= 0.0 && position <= (n - 1) as f64) {
         return None;
@@ -61,7 +61,7 @@ fn weights(position: f64, n: usize) -> Option<(usize, [f64; 4])> {
     ))
 }
 
-/// The share of each cell of `grid` that lies outside of the inner nodes' cells of `inner`, in the order of the nodes.
+/// The fraction of each cell of `grid` outside of the inner nodes' cells of `inner`, in node order.
 pub(super) fn shares_outside<'a>(grid: &'a Grid, inner: &'a Grid) -> impl Iterator<Item = f64> + 'a {
     let share = |centre: f64, width: f64, [low, high]: [f64; 2]| {
         let (from, to) = ((centre - 0.5 * width).max(low), (centre + 0.5 * width).min(high));
@@ -84,7 +84,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cubics_are_interpolated_exactly_inside() {
+    fn cubics_are_interpolated_exactly_in_the_interior() {
         let grid = Grid::centred(12, 9, 0.1, 0.2).unwrap();
         let cubic = |x: f64, y: f64| 1.0 + x * x * x - 2.0 * x * y * y + y * y * y;
         let field: Vec<f64> = grid.nodes().map(|(x, y)| cubic(x, y)).collect();

@@ -1,15 +1,15 @@
 //! Flooded inlets in any box.
 //!
-//! The pressure in front of a lubricated contact and at its sides reaches far: of a point contact the load beyond a
-//! distance `X` falls as `1/X`. A box that cuts it, with ambient pressure at its edge, makes the film too thin. Where
-//! the box of a scene does so ([`box_error`]), the smooth contact under the same conditions is solved on a coarse mesh
-//! of a wide box first ([`outer`]), at the edge of which the pressure is that between rigid paraboloids. Its
-//! pressures at the edge of the inner box, the displacement by those outside, and the load and the friction that they
-//! carry are the [`FarField`] of the inner contact.
+//! The pressure upstream and beside a lubricated contact decays slowly: in a point contact the load beyond a distance `X`
+//! decays as `1/X`. Ambient pressure at the edge of a smaller box makes the film too thin. If the error is too large
+//! ([`box_error`]), the smooth contact under the same conditions is solved first on a coarse mesh in a wide box
+//! ([`outer`]); the pressure at its edge is that between rigid paraboloids. The [`FarField`] of the inner contact
+//! contains the outer pressures at the edge of its box, the displacement by the pressures outside, and their load and
+//! friction.
 //!
-//! Where most of the load is outside, the load inside is a small difference, and a film that is a little thicker hardly
-//! changes it. Then the film near the inlet edge is handed over in its place: the inner contact is solved with its
-//! approach held, which is moved until it has this film.
+//! If most of the load is outside, the load inside hardly depends on the film and cannot determine it. Then the film near
+//! the inlet edge is prescribed instead: the inner contact is solved at fixed approach, which is varied until it has
+//! this film.
 
 mod box_error;
 mod hand_over;
@@ -29,19 +29,19 @@ use outer::OuterContact;
 
 pub(in crate::sim) use box_error::{BoxError, Contact, InletScale};
 
-/// Solves of the inner contact at most, to find its approach.
+/// Most solves of the inner contact to find its approach.
 const SOLVES: usize = 10;
-/// Relative difference of the films near the inlet edge that is left.
+/// Relative tolerance of the film near the inlet edge.
 const FILM_TOLERANCE: f64 = 1e-4;
 
-/// A flooded inlet and the box of a contact, as far as they are known without solving.
+/// A flooded inlet and the box of a contact, estimated without solving.
 ///
 /// ```
 /// use stribeck::sim::{MixedLubricationSim, Scene};
 /// let mut scene = Scene::azam_2019(32);
 /// let slow = MixedLubricationSim::builder(scene.clone()).build()?.inlet()?.ok_or("dry")?;
 /// assert!(slow.box_holds_it && slow.film_error < 0.005);
-/// scene.motion.entrainment_speed = 10.0; // a film that is 20 times as thick
+/// scene.motion.entrainment_speed = 10.0; // a film 20 times as thick
 /// let fast = MixedLubricationSim::builder(scene).build()?.inlet()?.ok_or("dry")?;
 /// assert!(!fast.box_holds_it);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -49,21 +49,21 @@ const FILM_TOLERANCE: f64 = 1e-4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FloodedInlet {
-    /// Relative error that ambient pressure at the edges of the box would make of the central film.
+    /// Relative error of the central film with ambient pressure at the edges of the box.
     pub film_error: f64,
-    /// Whether that is small: the box is solved as it stands. Else the smooth contact in a wider box tells the pressures at
-    /// its edges.
+    /// Whether that error is small and the box is solved as it is. Otherwise the pressures at its edges are those of the
+    /// smooth contact in a wider box.
     pub box_holds_it: bool,
 }
 
 /// The fluid outside of the box of a contact.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct FarField {
-    /// Pressure at the nodes of the box, of which the outermost count \[Pa\].
+    /// Pressure of which only the outermost nodes of the box are used \[Pa\].
     pressure: Vec<f64>,
     /// Displacement by the pressures outside \[m\].
     displacement: Vec<f64>,
-    /// What closes the equations of the inner contact.
+    /// The equation that determines the approach.
     closure: Closure,
     /// Approach of the outer contact \[m\].
     approach: f64,
@@ -73,37 +73,37 @@ pub(in crate::sim) struct FarField {
     gap: Vec<f64>,
 }
 
-/// The equation that decides the approach of a contact with a far field.
+/// The equation that determines the approach of a contact with a far field.
 #[derive(Debug, Clone, Copy)]
 enum Closure {
     /// The load that is carried outside \[N\].
     LoadOutside(f64),
     /// The film \[m\] at a point near the inlet edge.
     Film([f64; 2], f64),
-    /// None: the approach of the state is held.
+    /// No equation: the approach is prescribed.
     Approach,
 }
 
-/// Conditions that a far field belongs to: load, speeds, temperature.
+/// Conditions of a far field: load, speeds, temperature.
 type Point = [u64; 4];
 
-/// The far field of a contact model, found anew where its conditions change.
+/// The far field of a contact model, updated when its conditions change.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct Inlet {
-    /// The scene, which the outer contact takes its bodies from.
+    /// The scene, for the bodies of the outer contact.
     scene: Box<Scene>,
-    /// Conditions of the last decision.
+    /// Conditions of the last update.
     point: Option<Point>,
-    /// What the box makes of the film under these conditions.
+    /// Film error by the box under these conditions.
     error: BoxError,
-    /// Whether an outer contact can be solved: with the bodies of the scene, without spin, hard contact.
+    /// Whether an outer contact can be solved: bodies of the scene, no spin, hard contact.
     has_outer: bool,
-    /// Whether the outer contact was solved where the box needs it.
+    /// Whether the outer contact converged, if needed.
     is_solved: bool,
 }
 
 impl Inlet {
-    /// Of contacts of `scene`, whose bodies may be other ones.
+    /// For contacts of `scene`, or with a custom elastic body.
     pub(in crate::sim) fn new(scene: &Scene, has_own_body: bool) -> Self {
         let is_hard = scene.solver.contact == ContactDefinition::Hard;
         let has_outer = is_hard && !has_own_body && scene.motion.spin_radius.is_none();
@@ -116,7 +116,7 @@ impl Inlet {
         }
     }
 
-    /// Relative error of the central film of a solve by the box.
+    /// Relative box error of the central film of a solve.
     pub(in crate::sim) fn film_error(&self) -> f64 {
         if self.is_solved { self.error.of_solve() } else { self.error.ambient }
     }
@@ -146,7 +146,7 @@ impl Inlet {
 }
 
 impl ContactModel {
-    /// Finds the far field under the present conditions where the box cuts the inlet.
+    /// Computes the far field under the present conditions if the box cuts the inlet.
     pub(in crate::sim) fn find_far_field(&mut self, laws: &Laws) -> Result<(), SimError> {
         let Some(mut inlet) = self.inlet.take() else { return Ok(()) };
         let found = self.find_far_field_of(&mut inlet, laws);
@@ -182,7 +182,7 @@ impl ContactModel {
 }
 
 impl ContactModel {
-    /// Lengths and pressures of the flooded contact of `scene` under the present conditions; none without a lubricant.
+    /// Lengths and pressures of the flooded contact of `scene` under the present conditions; `None` without a lubricant.
     fn inlet_scale(&self, scene: &Scene) -> Result<Option<InletScale>, InputError> {
         let (Some(oil), Some(formulas)) = (&self.lubricant, self.formulas) else { return Ok(None) };
         let (hertz, viscosity) = (&self.hertz, oil.viscosity());
@@ -190,7 +190,7 @@ impl ContactModel {
         InletScale::new(&Contact { scene, hertz, viscosity, entrainment_speed, formulas }).map(Some)
     }
 
-    /// The inlet under the present conditions; none where the oil begins at the edge of the box or within it.
+    /// The inlet under the present conditions; `None` if the oil supply is at the edge of the box or inside.
     pub(in crate::sim) fn flooded_inlet(&self) -> Result<Option<FloodedInlet>, InputError> {
         let Some(inlet) = &self.inlet else { return Ok(None) };
         let Some(scale) = self.inlet_scale(&inlet.scene)? else { return Ok(None) };
@@ -201,7 +201,7 @@ impl ContactModel {
         Ok(Some(FloodedInlet { film_error: error.ambient, box_holds_it: error.is_small() }))
     }
 
-    /// Whether the supplied film meets the surfaces within the box: nothing upstream of it then has pressure.
+    /// Whether the supplied film meets the surfaces within the box: there is no pressure upstream of it.
     fn is_starved(&self, scene: &Scene) -> Result<bool, InputError> {
         let Some(supply) = self.supplied_film else { return Ok(false) };
         let mut edge = vec![0.0; self.grid.len()];
@@ -212,7 +212,7 @@ impl ContactModel {
 }
 
 impl FarField {
-    /// Of pressures at the edge alone.
+    /// From edge pressures only.
     fn at_edge(pressure: Vec<f64>, closure: Closure) -> Self {
         let zeros = vec![0.0; pressure.len()];
         Self {
@@ -225,8 +225,8 @@ impl FarField {
         }
     }
 
-    /// Solves the inner contact by `once`, which gets the pressure at the edge and the undeformed gap, from `state`; a
-    /// state without pressure starts from the outer contact where the surfaces are `smooth`.
+    /// Solves the inner contact from `state` by `once`, which gets the edge pressure and the undeformed gap. A state without
+    /// pressure starts from the outer contact if the surfaces are `smooth`.
     pub(in crate::sim) fn solve(
         &mut self,
         grid: &Grid,
@@ -258,7 +258,7 @@ impl FarField {
         Ok(report)
     }
 
-    /// Load that is carried outside of a box whose pressures carry the rest of `load` \[N\].
+    /// Load carried outside of a box whose pressures carry `carried` of `load` \[N\].
     pub(in crate::sim) fn load_outside(&self, load: f64, carried: f64) -> f64 {
         match self.closure {
             Closure::LoadOutside(outside) => outside,
@@ -266,7 +266,7 @@ impl FarField {
         }
     }
 
-    /// Overwrites the outermost nodes of a field of pressures with those at the edge of the box.
+    /// Overwrites the outermost nodes of a pressure field with the edge pressures.
     pub(in crate::sim) fn fill_edge(&self, grid: &Grid, pressure: &mut [f64]) {
         for k in outermost(grid) {
             pressure[k] = self.pressure[k];
@@ -281,7 +281,7 @@ impl FarField {
         Ok(())
     }
 
-    /// The outer contact's pressures as a start.
+    /// Sets the pressures of the outer contact as a start.
     fn start(&self, grid: &Grid, state: &mut ContactState) {
         state.pressure.copy_from_slice(&self.pressure);
         for k in outermost(grid) {

@@ -1,4 +1,4 @@
-//! The smooth contact in a box that holds its inlet, the pressures at the edge of which are those between rigid bodies.
+//! The smooth contact in a box that contains its inlet, with edge pressures of rigid bodies.
 
 use super::hand_over::{interpolate, shares_outside};
 use super::{Closure, FarField};
@@ -17,35 +17,35 @@ use crate::sim::contact::model::{ContactModel, half_space};
 use crate::sim::error::SimError;
 use crate::sim::scene::Scene;
 
-/// Length of the box upstream, in half-widths of the contact and in lengths `sqrt(2 R h)` of the film.
+/// Upstream length of the box, in half-widths of the contact and in film lengths `sqrt(2 R h)`.
 const UPSTREAM: [f64; 2] = [10.0, 7.0];
-/// Of that the length downstream and to either side.
+/// Downstream and lateral length over the upstream one.
 const DOWNSTREAM: f64 = 0.5;
 const ASIDE: f64 = 0.6;
-/// How much longer than the inner box it is at least.
+/// Smallest length over that of the inner box.
 const LONGER: f64 = 1.5;
-/// Cells, in half-widths and lengths of the film.
+/// Cell size, in half-widths and film lengths.
 const CELLS: [f64; 2] = [0.25, 0.1];
-/// Half-width of the pressures that the solve starts from, in lengths of the film and in cells.
+/// Half-width of the initial pressures, in film lengths and in cells.
 const START: [f64; 2] = [0.7, 1.6];
-/// Length of the film, in half-widths, from which a solve starts from rigid bodies; the range of films that is
-/// searched about that of the formula, and the bisections that search it.
+/// Film length, in half-widths, above which a solve starts from rigid bodies; the range of films searched around that
+/// of the formula, and the bisections of the search.
 const RIGID: f64 = 1.5;
 const RIGID_RANGE: f64 = 4.0;
 const RIGID_BISECTIONS: u32 = 12;
-/// Share of the change of the edge that a turn takes, turns at most, and the change of the central film that ends them.
+/// Relaxation of the edge pressures, largest number of iterations, and tolerance of the central film.
 const RELAXATION: f64 = 0.6;
 const TURNS: usize = 40;
 const SETTLED: f64 = 2e-4;
-/// The load outside of the box is less than this share of the load while it is being found.
+/// Upper bound of the fraction of the load outside of the box during the iteration.
 const MOST_OUTSIDE: f64 = 0.97;
-/// Share of the load outside of the inner box above which its film is handed over in place of its load.
+/// Fraction of the load outside of the inner box above which its film is prescribed instead of its load.
 const FILM_FROM: f64 = 0.9;
-/// Where the film is handed over, in distances of the inlet edge of the inner box.
+/// Position of the prescribed film, in distances of the inlet edge of the inner box.
 const FILM_AT: f64 = 0.9;
-/// Pressures at the edge stay below this \[Pa\]: a reduced pressure above that of an infinite one has none.
+/// Upper bound of the edge pressures \[Pa\]: larger reduced pressures may not correspond to any pressure.
 const LARGEST_PRESSURE: f64 = 1e9;
-/// Angles and radii of the load beyond the outer box.
+/// Quadrature angles and radii for the load beyond the outer box.
 const POINTS: u32 = 64;
 
 /// The outer contact of an inner one.
@@ -64,7 +64,7 @@ pub(super) struct OuterContact<'a> {
 }
 
 impl<'a> OuterContact<'a> {
-    /// That of the smooth bodies of `inner` under its conditions, whose central film is about `film` \[m\].
+    /// For the smooth bodies of `inner` under its conditions, with a central film of about `film` \[m\].
     pub(super) fn new(scene: &'a Scene, inner: &ContactModel, film: f64) -> Result<Self, InputError> {
         let is_line = scene.form.is_line();
         let curvatures = curvatures(scene);
@@ -103,7 +103,7 @@ impl<'a> OuterContact<'a> {
             films: None,
             lubricant,
             solver: Box::new(NewtonKrylov::new()),
-            confirms: false,
+            verifies: false,
             rule: StoppingRule::default(),
             scheme: inner.scheme,
             face_mobility: FaceMobility::Wedge,
@@ -120,7 +120,7 @@ impl<'a> OuterContact<'a> {
             evaluation: None,
             reuses_buffers: true,
             flow: None,
-            film_flows: film_heat::is_asked(scene).then(FilmFlows::default),
+            film_flows: film_heat::is_modelled(scene).then(FilmFlows::default),
             inlet: None,
             far_field: None,
         };
@@ -136,7 +136,7 @@ impl<'a> OuterContact<'a> {
         })
     }
 
-    /// Solves it, from pressures whose film is about `film` \[m\]; none where a solve does not converge.
+    /// Solves it, from pressures for a film of about `film` \[m\]; `None` if a solve does not converge.
     pub(super) fn solve(
         mut self,
         inner: &Grid,
@@ -160,7 +160,7 @@ impl<'a> OuterContact<'a> {
         for turn in 0..TURNS {
             let share = if turn == 0 { 1.0 } else { RELAXATION };
             self.relax_edge(&edge_film, share, &mut edge, &mut outside);
-            // At first the film is better known than the load that a film carries.
+            // At first the film is known better than the load.
             let closure = if turn == 0 { Closure::Approach } else { Closure::LoadOutside(outside) };
             self.model.far_field = Some(FarField::at_edge(edge.clone(), closure));
             let given = SolveContext { laws, tribofilms: &films };
@@ -182,8 +182,8 @@ impl<'a> OuterContact<'a> {
         Ok(None)
     }
 
-    /// A state near the solution, and its central film \[m\]: the pressure of Hertz, with `film` between the bodies,
-    /// or that between rigid bodies where the film is wider than the contact.
+    /// A state near the solution, and its central film \[m\]: Hertz pressure with `film` between the bodies, or the pressure
+    /// between rigid bodies if the film is wider than the contact.
     fn start(&mut self, film: f64) -> Result<(ContactState, f64), InputError> {
         let grid = self.model.grid;
         let mut state = ContactState::new(&grid);
@@ -209,14 +209,14 @@ impl<'a> OuterContact<'a> {
         Ok((state, film))
     }
 
-    /// Pressure of a film between rigid bodies that is `film` in the middle \[Pa\].
+    /// Pressure between rigid bodies with central film `film` \[Pa\].
     fn rigid_pressure(&self, point: [f64; 2], film: f64) -> f64 {
         let gap = film + gap_at(self.curvatures, point);
         let oil = self.model.lubricant.as_ref();
         oil.map_or(0.0, |oil| pressure_of(oil, self.far.reduced_pressure(self.drag, point, gap)))
     }
 
-    /// The film that carries the load between rigid bodies, of the order of `film` \[m\].
+    /// The film that carries the load between rigid bodies, near `film` \[m\].
     fn rigid_film(&self, film: f64) -> f64 {
         let grid = self.model.grid;
         let Some(oil) = &self.model.lubricant else { return film };
@@ -232,7 +232,7 @@ impl<'a> OuterContact<'a> {
         (low * high).sqrt()
     }
 
-    /// Takes a share of the pressures that belong to the films at the edge, and of the load beyond it.
+    /// Relaxes the edge pressures and the load beyond the edge towards those of the films.
     fn relax_edge(&self, films: &[f64], share: f64, edge: &mut [f64], outside: &mut f64) {
         let grid = self.model.grid;
         let Some(oil) = &self.model.lubricant else { return };
@@ -244,7 +244,7 @@ impl<'a> OuterContact<'a> {
         let middle = grid.ny() / 2 * grid.nx();
         let film = films[middle] - self.gap[middle];
         if self.model.supplied_film.is_some_and(|supply| supply < films[middle]) {
-            // The oil begins within the outer box.
+            // The oil supply is inside the outer box.
             edge.fill(0.0);
             *outside = 0.0;
             return;
@@ -253,7 +253,7 @@ impl<'a> OuterContact<'a> {
         *outside += share * (beyond - *outside);
     }
 
-    /// The load beyond the inner nodes' cells, of films that are `offset` wider than the gap \[N\].
+    /// The load beyond the inner nodes' cells, for films equal to the gap plus `offset` \[N\].
     fn load_beyond(&self, oil: &Lubricant, offset: f64) -> f64 {
         let grid = self.model.grid;
         let [x0, x1] = [grid.x(0) + 0.5 * grid.dx(), grid.x(grid.nx() - 1) - 0.5 * grid.dx()];
@@ -349,12 +349,12 @@ fn gap_at([xx, xy, yy]: [f64; 3], [x, y]: [f64; 2]) -> f64 {
     0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y)
 }
 
-/// Distances along x and y at which the gap is as wide as the film \[m\].
+/// Distances along x and y at which the gap equals the film \[m\].
 fn film_lengths([xx, _, yy]: [f64; 3], film: f64) -> [f64; 2] {
     [xx, yy].map(|curvature| (2.0 * film / curvature).sqrt())
 }
 
-/// Mesh of the outer contact, longer than the inner box everywhere.
+/// Mesh of the outer contact, larger than the inner box on all sides.
 fn outer_grid(
     inner: &ContactModel,
     curvatures: [f64; 3],
@@ -376,7 +376,7 @@ fn outer_grid(
     let count = |length: f64, cell: f64| (length / cell).ceil().max(3.0);
     let (west, east) = (count(upstream, dx), count(downstream, dx));
     let nx = (west + east) as usize + 1;
-    // A node lies in the middle of the contact.
+    // One node is at the center of the contact.
     let x = [-(west + 0.5) * dx, (east + 0.5) * dx];
     if is_line {
         return Grid::from_edges(nx, 1, x, [-0.5, 0.5]);
@@ -390,7 +390,7 @@ fn outer_grid(
 
 /// The pressure whose reduced pressure is `reduced` \[Pa\].
 fn pressure_of(oil: &Lubricant, reduced: f64) -> f64 {
-    // The reduced pressure is concave: Newton's method rises to the root from below.
+    // The reduced pressure is concave: Newton's method increases to the root from below.
     let mut pressure = reduced.max(0.0);
     for _ in 0..60 {
         let point = oil.at(pressure);

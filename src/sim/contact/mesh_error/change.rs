@@ -1,9 +1,9 @@
-//! What the change of a solution from a coarser mesh says of its errors.
+//! Error estimates from the change of a solution between a coarse and a fine mesh.
 //!
-//! Numbers of a mixed contact do not change evenly with the mesh: asperities touch on one mesh and part on
-//! the next, here and there, and the sum may stay by chance. So the estimates take changes node by node,
-//! those of the mean film piece by piece, which do not cancel. The factors were set on random contacts and
-//! checked on others, see `docs/errors.md`.
+//! Results of a mixed contact do not converge smoothly: asperities touch on one mesh and separate on the
+//! next, and the totals may agree by chance. The estimates therefore add changes node by node, and those of
+//! the mean film block by block, so that they do not cancel. The factors were fitted to random contacts and
+//! tested on others, see `docs/errors.md`.
 
 use crate::grid::Grid;
 use crate::metrics::{CENTRAL, is_central};
@@ -14,26 +14,25 @@ use crate::sim::contact::numbers::{ContactNumbers, FilmNumbers, FrictionNumbers,
 use crate::sim::contact::solution::ContactSolution;
 use crate::sim::scene::hertz::HertzContact;
 
-/// Of the load of the nodes that change sides, what the load ratio may still change by.
+/// Error of the load ratio over the load of the nodes that switch between solid and fluid.
 const LOAD: f64 = 0.75;
-/// The same of the load of nodes that part, but whose film changes by more than what is left above the
-/// contact film.
+/// The same for nodes that separate, but by less than the change of their film.
 const NEARLY: f64 = 0.1;
-/// Area ratio over load ratio, of what changes sides.
+/// Error of the area ratio over that of the load ratio.
 const AREA: f64 = 0.6;
-/// Boundary friction of what changes sides.
+/// Error of the boundary friction over the load that switches.
 const BOUNDARY: f64 = 0.75;
-/// Of the change of the shear of the fluid, node by node.
+/// Error of the shear over the change of the fluid shear, node by node.
 const SHEAR: f64 = 0.15;
-/// Pieces along each axis of the central region, in each of which changes of the film may cancel.
+/// Blocks along each axis of the central region; within a block changes of the film cancel.
 const PIECES: usize = 4;
-/// Of the changes of the film in these pieces.
+/// Error of the mean film over the changes of the film in these blocks.
 const FILM: f64 = 1.2;
-/// Of the change of a film or a pressure at one point.
+/// Error of a film or a pressure at one point over its change.
 const POINT: f64 = 1.5;
-/// The error that a box makes of the minimum film, over that of the central one: at most, measured 0.8 to 1.4.
+/// Upper bound of the box error of the minimum film over that of the central film; measured 0.8 to 1.4.
 pub(in crate::sim) const BOX_MINIMUM: f64 = 1.4;
-/// Changes of a film below this share of the approach are rounding of a contact without one.
+/// Changes of the film below this fraction of the approach are rounding errors of a contact without film.
 const NO_FILM: f64 = 1e-9;
 
 /// A solved contact on one mesh.
@@ -72,7 +71,7 @@ impl<'a> From<&'a ContactSolution> for Mesh<'a> {
     }
 }
 
-/// The errors of `fine`, of which `coarse` is the same contact on larger cells; none unless both are solved.
+/// Estimates the errors of `fine` from `coarse`, the same contact on larger cells. `None` unless both converged.
 pub(in crate::sim) fn estimate(coarse: &Mesh<'_>, fine: &Mesh<'_>) -> Option<ErrorEstimate> {
     if [coarse, fine].iter().any(|mesh| mesh.status != Status::Converged) {
         return None;
@@ -108,21 +107,21 @@ pub(in crate::sim) fn estimate(coarse: &Mesh<'_>, fine: &Mesh<'_>) -> Option<Err
     })
 }
 
-/// Changes from node to node, all but that of the film over the load.
+/// Changes summed over nodes. All but that of the film are relative to the load.
 #[derive(Debug, Default)]
 struct Change {
-    /// Load of the nodes times the change of the share that is solid.
+    /// Load of the nodes times the change of their solid share.
     sides: f64,
-    /// Load of the nodes that part, and by less than their film changes.
+    /// Load of the nodes that separate by less than the change of their film.
     nearly: f64,
-    /// Change of the shear stress of the fluid.
+    /// Change of the fluid shear stress.
     shear: f64,
-    /// Change of the film of each piece of the central region, over the film of all.
+    /// Change of the mean film of each block of the central region, over the mean film of all.
     film: f64,
 }
 
 impl Change {
-    /// Changes from `coarse`, each cell of `fine` against the cell of `coarse` that holds its node.
+    /// Changes from `coarse`. Each cell of `fine` is compared with the cell of `coarse` that contains its node.
     fn between(coarse: &Mesh<'_>, fine: &Mesh<'_>) -> Self {
         let (mut sum, mut load) = (Self::default(), 0.0);
         let (mut pieces, mut films) = ([0.0; PIECES * PIECES], 0.0);
@@ -155,7 +154,7 @@ impl Change {
     }
 }
 
-/// The piece of the region of the mean film that holds the point `(x, y)`; none outside of it.
+/// The block of the central region that contains the point `(x, y)`; `None` outside.
 fn piece_at(solution: &Mesh<'_>, x: f64, y: f64) -> Option<usize> {
     let ellipse = solution.hertz.ellipse();
     let along = |share: f64| {
@@ -166,13 +165,13 @@ fn piece_at(solution: &Mesh<'_>, x: f64, y: f64) -> Option<usize> {
     is_central(x, y, &ellipse).then(|| along(second) * PIECES + along(first))
 }
 
-/// Share of the pressure of node `k` that is solid; none without pressure.
+/// Share of the pressure of node `k` carried by solids; `None` without pressure.
 fn solid_share(solution: &Mesh<'_>, k: usize) -> Option<f64> {
     let pressure = solution.state.pressure[k];
     (pressure > 0.0).then(|| (solution.state.solid_pressure(k) / pressure).min(1.0))
 }
 
-/// The cell of `grid` that holds the point `(x, y)`, or the nearest one.
+/// The cell of `grid` that contains the point `(x, y)`, or the nearest one.
 fn cell_at(grid: &Grid, x: f64, y: f64) -> usize {
     let along = |distance: f64, n: usize| ((distance + 0.5).max(0.0) as usize).min(n - 1);
     let column = along((x - grid.x(0)) / grid.dx(), grid.nx());

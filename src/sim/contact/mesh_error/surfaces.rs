@@ -6,16 +6,16 @@ use crate::sim::error::SimError;
 use crate::sim::scene::Scene;
 use crate::surface::Heights;
 
-/// Heights of ball and disc on the cells that hold them, and their Fourier series at the nodes of any others
-/// of the same box: no wave is added or left out, so that coarse nodes lie at the same heights as fine ones.
+/// Heights of ball and disc on their own cells, and their Fourier series at the nodes of any other mesh of
+/// the same box. No wave is added or removed: coarse and fine nodes sample the same surface.
 #[derive(Debug)]
 pub(in crate::sim) struct Surfaces {
-    /// Ball and disc on the cells that hold them.
+    /// Ball and disc on their own cells.
     bodies: [Heights; 2],
 }
 
 impl Surfaces {
-    /// Those of `scene` on `grid`.
+    /// The surfaces of `scene` on `grid`.
     pub(in crate::sim) fn new(scene: &Scene, grid: &Grid) -> Result<Self, SimError> {
         let of = |roughness, name| -> Result<Heights, SimError> {
             let heights = setup::heights(roughness, grid, name)?.heights;
@@ -24,7 +24,7 @@ impl Surfaces {
         Ok(Self { bodies: [of(&scene.roughness.ball, "ball")?, of(&scene.roughness.disc, "disc")?] })
     }
 
-    /// Heights on `grid`, which fills the same box.
+    /// Heights on `grid`, which covers the same box.
     pub(in crate::sim) fn on(&self, grid: &Grid) -> Result<[Vec<f64>; 2], SimError> {
         let [ball, disc] = &self.bodies;
         let of = |body: &Heights| -> Result<Vec<f64>, SimError> {
@@ -37,8 +37,8 @@ impl Surfaces {
     }
 }
 
-/// The Fourier series of `body` at the centres of `nx` x `ny` cells. Fewer cells than those that hold it are
-/// the middle ones of three along each axis of a mesh that holds all waves.
+/// The Fourier series of `body` at the centers of `nx` x `ny` cells. For fewer cells than its own, the middle
+/// ones of three along each axis of a mesh that resolves all waves are taken.
 pub(in crate::sim) fn series_at_nodes(body: &Heights, nx: usize, ny: usize) -> Result<Vec<f64>, SimError> {
     let parts = |cells: usize, holding: usize| if cells < holding { 3 } else { 1 };
     let (along_x, along_y) = (parts(nx, body.nx()), parts(ny, body.ny()));
@@ -52,8 +52,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_series_keeps_its_heights_on_all_meshes() {
-        // Two waves, of which eight cells hold one alone.
+    fn fourier_series_has_equal_heights_on_all_meshes() {
+        // Two waves; eight cells resolve only one of them.
         let height = |x: f64, y: f64| (6.0 * x + 0.3).cos() + 0.5 * (2.0 * (x - y)).sin();
         let on = |nx: usize, ny: usize| -> Vec<f64> {
             let centre = |i: usize, n: usize| std::f64::consts::TAU * (i as f64 + 0.5) / n as f64;

@@ -1,4 +1,4 @@
-//! What roughness is on the track, and what rubbing has made of the bodies.
+//! Roughness on the track, and wear, plastic depth and tribofilm of the bodies.
 
 use crate::error::InputError;
 use crate::metrics;
@@ -19,33 +19,33 @@ use crate::metrics;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct RoughnessNumbers {
-    /// Of the ball.
+    /// Rq of the ball.
     pub ball_rq: f64,
-    /// Of the disc.
+    /// Rq of the disc.
     pub disc_rq: f64,
     /// `sqrt(ball_rq^2 + disc_rq^2)`.
     pub composite_rq: f64,
 }
 
 impl RoughnessNumbers {
-    /// Of ball and disc.
+    /// From the Rq of ball and disc.
     pub(in crate::sim) fn of([ball_rq, disc_rq]: [f64; 2]) -> Self {
         Self { ball_rq, disc_rq, composite_rq: metrics::composite_rq(ball_rq, disc_rq) }
     }
 
-    /// Of ball and disc.
+    /// Rq of ball and disc.
     pub fn rq(&self) -> [f64; 2] {
         [self.ball_rq, self.disc_rq]
     }
 
-    /// `film` over the composite roughness; none between smooth surfaces and where the film is not known.
+    /// `film` over the composite roughness; `None` for smooth surfaces and an unknown film.
     pub(super) fn lambda(&self, film: f64) -> Option<f64> {
         let lambda = film / self.composite_rq;
         lambda.is_finite().then_some(lambda)
     }
 }
 
-/// A depth or thickness on both bodies \[m\], as that of the tribofilm.
+/// A depth or thickness on both bodies \[m\], such as that of the tribofilm.
 ///
 /// # Examples
 ///
@@ -53,7 +53,7 @@ impl RoughnessNumbers {
 /// use stribeck::sim::{MixedLubricationSim, Scene};
 /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16).with_tribofilm()).build()?;
 /// let record = sim.step(600.0)?;
-/// // Beside the track nothing grows: the mean over its width is above that over the patch.
+/// // There is no growth beside the track: the mean over its width is above that over the patch.
 /// let film = record.tribofilm;
 /// assert!(film.disc_max >= film.disc_in_contact && film.disc_in_contact > film.disc_mean);
 /// # Ok::<(), stribeck::sim::SimError>(())
@@ -78,7 +78,7 @@ pub struct DepthNumbers {
 }
 
 impl DepthNumbers {
-    /// Of the fields of both bodies, with means `on_track`.
+    /// From the fields of both bodies, with means `on_track`.
     pub(in crate::sim) fn of(
         [ball, disc]: [&[f64]; 2],
         on_track: impl Fn(&[f64]) -> Result<f64, InputError>,
@@ -106,7 +106,7 @@ impl DepthNumbers {
     }
 }
 
-/// What was flattened.
+/// Plastic deformation.
 ///
 /// # Examples
 ///
@@ -114,13 +114,13 @@ impl DepthNumbers {
 /// use stribeck::sim::{MixedLubricationSim, Scene};
 /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
 /// let (first, second) = (sim.step(10.0)?, sim.step(10.0)?);
-/// assert!(second.plastic.volume >= first.plastic.volume, "what is flattened stays flat");
+/// assert!(second.plastic.volume >= first.plastic.volume, "plastic deformation is permanent");
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct PlasticNumbers {
-    /// Volume flattened away, both bodies \[m^3\].
+    /// Plastic volume of both bodies \[m^3\].
     pub volume: f64,
 }

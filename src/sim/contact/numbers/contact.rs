@@ -9,9 +9,9 @@ use crate::sim::contact::model::ContactModel;
 
 /// Moes' parameters.
 ///
-/// `M = W / (2 U)^(3/4)` and `L = G (2 U)^(1/4)` of a point contact, `W / (2 U)^(1/2)` and `G (2 U)^(1/4)` of a line
+/// `M = W / (2 U)^(3/4)` and `L = G (2 U)^(1/4)` for a point contact, `W / (2 U)^(1/2)` and `G (2 U)^(1/4)` for a line
 /// contact, with the dimensionless load `W`, speed `U` and material parameter `G` of Hamrock and Dowson along
-/// entrainment: two numbers that a smooth contact of given form hangs on, from elastic and dry to rigid.
+/// entrainment. A smooth contact of given form depends on these two numbers only.
 ///
 /// Source: Moes, H. (2000), Lubrication and Beyond, University of Twente.
 ///
@@ -60,17 +60,15 @@ pub struct FilmNumbers {
     pub mean_central: f64,
     /// Smallest over all nodes.
     pub minimum_gap: f64,
-    /// `mean_central` over the composite roughness; none between smooth surfaces and where the film is not
-    /// known.
+    /// `mean_central` over the composite roughness; `None` for smooth surfaces and an unknown film.
     pub lambda: Option<f64>,
-    /// Central film by formula (Hamrock and Dowson, of a line contact Dowson and Toyoda) with the stated
-    /// pressure-viscosity coefficient over the composite roughness; none between smooth surfaces and without
-    /// lubricant.
+    /// Central film by formula (Hamrock and Dowson; Dowson and Toyoda for a line contact), with the stated
+    /// pressure-viscosity coefficient, over the composite roughness; `None` for smooth surfaces and a dry contact.
     pub formula_lambda: Option<f64>,
 }
 
 impl FilmNumbers {
-    /// Of a solve that diverged.
+    /// Values of a solve that diverged.
     const UNKNOWN: Self = Self {
         central: f64::NAN,
         minimum: f64::NAN,
@@ -80,7 +78,7 @@ impl FilmNumbers {
         formula_lambda: None,
     };
 
-    /// Of `state`, over the `roughness`.
+    /// From `state`, over the `roughness`.
     pub(in crate::sim) fn of(
         model: &ContactModel,
         state: &ContactState,
@@ -98,7 +96,7 @@ impl FilmNumbers {
     }
 }
 
-/// Total pressure, of fluid and solids together \[Pa\].
+/// Total pressure, fluid plus solid \[Pa\].
 ///
 /// # Examples
 ///
@@ -106,7 +104,7 @@ impl FilmNumbers {
 /// use stribeck::sim::{Scene, solve_contact};
 /// let solution = solve_contact(&Scene::azam_2019(32))?;
 /// let pressure = solution.pressure;
-/// // The surfaces are rough: asperities carry more than Hertz, and yield at 6 GPa.
+/// // Rough surfaces: asperities exceed the Hertz pressure and yield at 6 GPa.
 /// assert!(pressure.max > solution.hertz.pressure && pressure.max <= 6e9);
 /// assert!(pressure.mean < pressure.max);
 /// # Ok::<(), stribeck::sim::SimError>(())
@@ -115,29 +113,29 @@ impl FilmNumbers {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct PressureNumbers {
-    /// Largest, between nodes where the peak is resolved (see [`metrics::peak`]), never above the limit of its
+    /// Maximum, interpolated between nodes if the peak is resolved (see [`metrics::peak`]), at most the limit of its
     /// node.
     pub max: f64,
     /// At x = y = 0.
     pub central: f64,
-    /// Mean over the nodes that carry any.
+    /// Mean over the nodes under pressure.
     pub mean: f64,
-    /// Load that the fluid outside of the box carries, where the box cuts a flooded inlet \[N\]: the pressures in the box
-    /// carry the rest.
+    /// Load carried by the fluid outside of the box if the box cuts a flooded inlet \[N\]; the pressures in the box carry
+    /// the rest.
     pub load_outside: f64,
 }
 
 impl PressureNumbers {
-    /// Of a solve that diverged.
+    /// Values of a solve that diverged.
     const UNKNOWN: Self = Self { max: f64::NAN, central: f64::NAN, mean: f64::NAN, load_outside: f64::NAN };
 
-    /// Of `state` whose nodes carry no more than the `limit`.
+    /// From `state`, whose pressure does not exceed the `limit`.
     pub(in crate::sim) fn of(
         model: &ContactModel,
         state: &ContactState,
         limit: Option<&[f64]>,
     ) -> Result<Self, InputError> {
-        // Between nodes no more than the node of the largest pressure may carry.
+        // Interpolated between nodes, but not above the limit of the node of largest pressure.
         let top = state.pressure.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
         let bound = top.and_then(|(k, _)| limit?.get(k).copied()).unwrap_or(f64::INFINITY);
         let carrying = state.pressure.iter().filter(|p| **p > 0.0).count().max(1);
@@ -155,7 +153,7 @@ impl PressureNumbers {
 
 /// Solid contact.
 ///
-/// Solids touch where the gap is the contact film, `solver.film_cutoff`, and carry there what the fluid does not.
+/// Solids touch where the gap is the contact film, `solver.film_cutoff`. They carry the pressure that the fluid does not.
 ///
 /// # Examples
 ///
@@ -174,17 +172,17 @@ impl PressureNumbers {
 pub struct ContactNumbers {
     /// Area of solid contact inside the Hertz ellipse over its area.
     pub area_ratio: f64,
-    /// Share of the load that solid contact carries.
+    /// Load ratio: share of the load carried by solid contact.
     pub load_ratio: f64,
     /// Area of solid contact \[m^2\].
     pub area: f64,
-    /// The area ratio with the edges of the contacts corrected, see [`metrics::ContactStatistics`].
+    /// Area ratio with corrected contact edges, see [`metrics::ContactStatistics`].
     pub corrected_area_ratio: f64,
-    /// The area with the edges of the contacts corrected \[m^2\].
+    /// Area with corrected contact edges \[m^2\].
     pub corrected_area: f64,
     /// Area of nodes at the pressure limit \[m^2\].
     pub plastic_area: f64,
-    /// Film at which solids touch, without which the ratios say little; zero in a dry contact \[m\].
+    /// Contact film, on which the ratios depend; zero in a dry contact \[m\].
     pub film_cutoff: f64,
 }
 
@@ -225,7 +223,7 @@ impl ContactNumbers {
     }
 }
 
-/// The numbers of a solved contact.
+/// The results of a solved contact.
 pub(in crate::sim) struct Numbers {
     /// Film thickness.
     pub(in crate::sim) film: FilmNumbers,
@@ -240,8 +238,8 @@ pub(in crate::sim) struct Numbers {
 }
 
 impl Numbers {
-    /// Those of `state` between bodies of the roughness `rq`, whose nodes carry no more than the `limit`;
-    /// without `friction` the solve diverged, which is a status, and its numbers are unknown.
+    /// From `state` between bodies of the roughness `rq`, whose pressure does not exceed the `limit`. Without `friction` the
+    /// solve diverged, and the results are unknown.
     pub(in crate::sim) fn of(
         model: &ContactModel,
         state: &ContactState,

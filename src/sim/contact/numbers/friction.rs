@@ -1,7 +1,7 @@
 //! Friction over load.
 
-/// Friction coefficient of a contact and its parts: boundary friction under the solid pressure and shear of the
-/// fluid, over the load.
+/// Friction coefficient of a contact and its parts: boundary friction under the solid pressure and shear of the fluid,
+/// divided by the load.
 ///
 /// # Examples
 ///
@@ -21,17 +21,17 @@
 pub struct FrictionNumbers {
     /// Friction force over load; zero without sliding.
     pub coefficient: f64,
-    /// Part of the coefficient that solid contact makes.
+    /// Part of the coefficient from solid contact.
     pub boundary: f64,
-    /// Part of the coefficient that shear of the fluid makes.
+    /// Part of the coefficient from shear of the fluid.
     pub fluid: f64,
 }
 
 impl FrictionNumbers {
-    /// Of a contact whose state is not known.
+    /// Values of a contact whose state is unknown.
     pub(super) const UNKNOWN: Self = Self { coefficient: f64::NAN, boundary: f64::NAN, fluid: f64::NAN };
 
-    /// Of the forces `boundary` and `fluid` \[N\] under `load` \[N\].
+    /// From the forces `boundary` and `fluid` \[N\] under `load` \[N\].
     pub(in crate::sim) fn of(boundary: f64, fluid: f64, load: f64) -> Self {
         Self { coefficient: (boundary + fluid) / load, boundary: boundary / load, fluid: fluid / load }
     }

@@ -1,9 +1,8 @@
-//! Numbers of a contact and of bodies, under the names that programs, JSON, files and Python share.
+//! Results of a contact and of bodies, with the same names in programs, JSON, files and Python.
 //!
-//! A name is the path of a field: `film.mean_central` is `solution.film.mean_central` and
-//! `record.film.mean_central`, the entry `mean_central` of the table `film` in JSON, the attribute of a solution
-//! in Python, and the column `film_mean_central_m` of a history, which has the unit behind it.
-//! `docs/output.md` lists them all.
+//! A name is the path of a field. Example: `film.mean_central` is `solution.film.mean_central` and
+//! `record.film.mean_central`, the entry `mean_central` of the table `film` in JSON, the attribute of a solution in
+//! Python, and the column `film_mean_central_m` of a history, with its unit. `docs/output.md` lists all names.
 
 mod bodies;
 mod contact;

@@ -24,23 +24,23 @@ use crate::sim::scene::Scene;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct StressNumbers {
-    /// Largest stress of von Mises, below a layer that of the substrate.
+    /// Largest von Mises stress; below a layer that of the substrate.
     pub von_mises: Extreme,
-    /// Largest orthogonal shear stress, below a layer that of the substrate.
+    /// Largest orthogonal shear stress; below a layer that of the substrate.
     pub orthogonal_shear: Extreme,
-    /// Those of the layer and of its bond; none without a layer.
+    /// Stresses of the layer and of its bond; `None` without a layer.
     pub layer: Option<LayerStressExtremes>,
-    /// Largest stress of von Mises over the yield strength; none without one.
+    /// Largest von Mises stress over the yield strength; `None` without a strength.
     pub yield_ratio: Option<f64>,
-    /// Largest orthogonal shear stress over the yield stress in shear, `yield strength / sqrt 3`: the load is
-    /// below the elastic shakedown limit of free rolling where it is below one (see
-    /// [`StressExtremes`](crate::elastic::StressExtremes)); none without a strength.
+    /// Largest orthogonal shear stress over the yield stress in shear, `yield strength / sqrt 3`. Below one, the load is
+    /// below the elastic shakedown limit of free rolling (see
+    /// [`StressExtremes`](crate::elastic::StressExtremes)). `None` without a strength.
     pub shakedown_ratio: Option<f64>,
 }
 
 impl StressNumbers {
-    /// Those of `state`, if `scene` asks for them. The disc is dragged along the motion of the ball against
-    /// it.
+    /// Stresses of `state`, if `scene` requests them. Friction on the disc is directed along the motion of the ball relative
+    /// to it.
     pub(in crate::sim) fn of(
         scene: &Scene,
         model: &ContactModel,

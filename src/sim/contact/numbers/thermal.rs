@@ -6,7 +6,7 @@
 /// use stribeck::sim::{MixedLubricationSim, Scene};
 /// use stribeck::thermal::FilmThermal;
 /// let mut scene = Scene::azam_2019(16);
-/// // A viscosity that knows temperature: 4 mPa s hold at 80 C.
+/// // A temperature-dependent viscosity: 4 mPa s at 80 C.
 /// scene.lubricant = scene.lubricant.map(|oil| {
 ///     let known = oil.with_temperature(Some(353.15)).with_roelands_s0(Some(1.1));
 ///     known.with_thermal(Some(FilmThermal::default()))
@@ -28,13 +28,13 @@ pub struct ThermalNumbers {
     pub surface_rise_ball: f64,
     /// Largest rise of the disc's surface above the bulk temperature \[K\].
     pub surface_rise_disc: f64,
-    /// Heat of shear, of flow by pressure, of compression and of solid friction \[W\].
+    /// Heat of shear, of pressure flow, of compression and of solid friction \[W\].
     pub heat: f64,
-    /// Heat that comes from nowhere over what comes and goes.
+    /// Relative energy imbalance of the film.
     pub imbalance: f64,
-    /// Solves of the contact until film and heat agreed.
+    /// Number of contact solves.
     pub solves: u64,
-    /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat
-    /// makes, or ten times that of its thermal expansion where this is more.
+    /// Largest difference at a node between the `ln eta` of the last solve and that of its heat, or ten times that of
+    /// the thermal expansion if larger.
     pub change: f64,
 }

@@ -10,9 +10,9 @@ use super::bodies::DepthNumbers;
 /// use stribeck::sim::{MixedLubricationSim, Scene};
 /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
 /// let record = sim.step(600.0)?;
-/// // Beside the track nothing is worn: the mean over its width is above that over the patch.
+/// // There is no wear beside the track: the mean over its width is above that over the patch.
 /// assert!(record.wear.disc_in_contact > record.wear.disc_mean && record.wear.disc_mean > 0.0);
-/// // K F s/H of 54.07 N and 5 mm/s for ten minutes, on each body.
+/// // K F s/H for 54.07 N and 5 mm/s for ten minutes, on each body.
 /// let archard = 5.45e-8 * record.load * 0.005 * 600.0 / 6e9;
 /// assert!(record.wear.volume().iter().all(|volume| (volume / archard - 1.0).abs() < 1e-4));
 /// # Ok::<(), stribeck::sim::SimError>(())
@@ -42,7 +42,7 @@ pub struct WearNumbers {
 }
 
 impl WearNumbers {
-    /// Of depths and volumes.
+    /// From depths and volumes.
     pub(in crate::sim) fn of(depth: DepthNumbers, [ball_volume, disc_volume]: [f64; 2]) -> Self {
         let DepthNumbers { ball_mean, disc_mean, ball_max, disc_max, ball_in_contact, disc_in_contact } =
             depth;

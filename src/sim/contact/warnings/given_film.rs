@@ -1,15 +1,14 @@
-//! Films that are given between rigid surfaces.
+//! Warnings about films between rigid surfaces.
 
 use super::quantity::{GAS_VISCOSITY, GIVEN_FILM, PRESSURE_VISCOSITY};
 use super::{Warning, short};
 use crate::reynolds::{GivenFilm, GivenFilmSolution};
 
-/// Largest pressure \[Pa\] between surfaces that are taken for rigid.
+/// Largest pressure \[Pa\] of surfaces treated as rigid.
 const LARGEST_PRESSURE: f64 = 1e9;
 
-/// What is unlikely to be meant by a film between rigid surfaces, or to hold of its `solution`: viscosity
-/// `eta0` and pressure-viscosity coefficient `alpha`, both at ambient pressure, thinnest and thickest `film`,
-/// `pressure.max`.
+/// Warnings about implausible values of a film between rigid surfaces and of its `solution`: viscosity `eta0` and
+/// pressure-viscosity coefficient `alpha` at ambient pressure, thinnest and thickest `film`, `pressure.max`.
 ///
 /// # Examples
 ///

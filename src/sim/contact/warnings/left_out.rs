@@ -1,5 +1,4 @@
-//! Physics that the scene leaves out and that a contact has: heat of the film, shear thinning, flow around
-//! ridges, yield below the surface.
+//! Warnings about neglected physics: heating of the film, shear thinning, flow around ridges, subsurface yield.
 
 use super::{Warning, short};
 use crate::lubricant::ViscosityLaw;
@@ -9,13 +8,13 @@ use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::Conditions;
 
-/// Rise of an isothermal film that goes without a warning \[K\].
+/// Largest rise of an isothermal film without a warning \[K\].
 const LARGEST_RISE: f64 = 10.0;
-/// Largest mean shear stress of a Newtonian fluid \[Pa\]: oils thin from 5 to 10 MPa on.
+/// Largest mean shear stress of a Newtonian fluid \[Pa\]: oils thin above 5 to 10 MPa.
 const LARGEST_NEWTONIAN: f64 = 50e6;
-/// Largest friction coefficient of the shear of an oil: traction oils have 0.12.
+/// Largest friction coefficient by shear of an oil: traction oils reach 0.12.
 const LARGEST_TRACTION: f64 = 0.15;
-/// Share of the load on the solids of a profile under a line contact.
+/// Load ratio of a profile under a line contact without a warning.
 const LARGEST_RIDGE_LOAD: f64 = 0.01;
 
 /// A contact at one operating point, solved or expected.
@@ -30,11 +29,11 @@ pub(in crate::sim) struct OperatingPoint<'a> {
     pub(in crate::sim) smooth: bool,
     /// Friction coefficients of solid contact and of the fluid.
     pub(in crate::sim) friction: [f64; 2],
-    /// Mean film in the middle \[m\].
+    /// Mean film in the center \[m\].
     pub(in crate::sim) film: f64,
-    /// Share of the load that solids carry.
+    /// Load ratio.
     pub(in crate::sim) load_ratio: f64,
-    /// Largest von Mises stress below the surface over the yield strength, where both are known.
+    /// Largest von Mises stress below the surface over the yield strength, if both are known.
     pub(in crate::sim) yield_ratio: Option<f64>,
 }
 
@@ -45,9 +44,9 @@ pub(in crate::sim) fn left_out(scene: &Scene, point: &OperatingPoint<'_>) -> Vec
     checks.into_iter().flatten().collect()
 }
 
-/// A film of the bulk temperature that its friction would warm.
+/// An isothermal film with large frictional heating.
 fn isothermal(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
-    let law = point.viscosity.filter(|_| !film_heat::is_asked(scene))?;
+    let law = point.viscosity.filter(|_| !film_heat::is_modelled(scene))?;
     let [boundary, fluid] = point.friction;
     let friction = IsothermalFriction { boundary, fluid, film: point.film };
     let rise = film_rise(scene, point.hertz, &point.conditions, law, friction).ok()?.film;
@@ -66,7 +65,7 @@ fn isothermal(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
     })
 }
 
-/// A fluid under more shear stress than oils carry: a Newtonian one by its stress, any other by its friction.
+/// A fluid whose shear stress exceeds that of oils: a Newtonian one by its stress, any other by its friction.
 fn sheared(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
     let thins = scene.friction.eyring_stress.is_some() || scene.friction.carreau_stress.is_some();
     let [_, fluid] = point.friction;
@@ -92,7 +91,7 @@ fn sheared(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
     Some(Warning::new("friction.fluid", fluid, message, remedy.to_owned()))
 }
 
-/// A rough profile under a line contact whose solids carry load.
+/// A rough profile under a line contact with solid contact.
 fn ridges(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
     let touches = point.load_ratio > LARGEST_RIDGE_LOAD;
     (scene.form.is_line() && scene.is_lubricated() && !point.smooth && touches).then(|| {
@@ -107,7 +106,7 @@ fn ridges(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
     })
 }
 
-/// Stress below the surface above the strength of the disc.
+/// Subsurface stress above the yield strength of the disc.
 fn yields(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
     let (ratio, strength) = (point.yield_ratio?, scene.stress?.yield_strength?);
     (ratio > 1.0).then(|| {

@@ -1,4 +1,4 @@
-//! Models beyond what they hold for.
+//! Warnings about models outside of their valid range.
 
 use super::{Warning, short};
 use crate::error::InputError;
@@ -7,16 +7,16 @@ use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::OperatingSchedule;
 
-/// Largest half-width of a contact over the radius: bodies are parabolas and half-spaces.
+/// Largest half-width of a contact over the radius: bodies are treated as parabolas and half-spaces.
 const LARGEST_SLOPE: f64 = 0.1;
-/// Ellipticities that the formula of Hamrock and Dowson was fitted to.
+/// Range of ellipticities of the formula of Hamrock and Dowson.
 const ELLIPTICITIES: [f64; 2] = [1.0, 8.0];
-/// Largest von Mises stress over the Hertz pressure, of circles and of lines; Poisson's ratio is 0.3 (Johnson, K. L.
+/// Largest von Mises stress over the Hertz pressure for circular and line contacts at Poisson's ratio 0.3 (Johnson, K. L.
 /// (1985), Contact Mechanics, sections 4.2 and 4.4).
 const POINT_MISES: f64 = 0.62;
 const LINE_MISES: f64 = 0.558;
 
-/// Warnings about half-space, parabolas, film formula and yield.
+/// Warnings about half-spaces, parabolas, film formula and yield.
 pub(super) fn of_models(scene: &Scene) -> Vec<Warning> {
     let Ok(operating_schedule) = OperatingSchedule::new(scene) else { return Vec::new() };
     let [_, largest] = operating_schedule.loads();
@@ -27,7 +27,7 @@ pub(super) fn of_models(scene: &Scene) -> Vec<Warning> {
     checks.into_iter().flatten().collect()
 }
 
-/// The contact that is as wide as the bodies are curved.
+/// A contact whose width is comparable to the radii.
 fn slope(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
     let (radius_x, radius_y) = scene.form.radii();
     let ratio = (hertz.half_width_x / radius_x).max(hertz.half_width_y / radius_y);
@@ -86,7 +86,7 @@ fn weak_body(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
     })
 }
 
-/// Entrainment that the film formulas were not fitted to.
+/// Entrainment outside of the range of the film formulas.
 fn film_formula(scene: &Scene, hertz: &HertzContact) -> Result<Option<Warning>, InputError> {
     let Some(formulas) = scene.formula_film()? else { return Ok(None) };
     let ellipticity = ellipticity(scene, hertz)?;

@@ -1,4 +1,4 @@
-//! Boxes that cut the contact, cells that do not hold the roughness.
+//! Warnings about boxes that cut the contact and cells that do not resolve the roughness.
 
 use super::{Warning, short};
 use crate::boundary::Boundary;
@@ -8,15 +8,15 @@ use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::OperatingSchedule;
 use crate::sim::scene::{BODIES, GridSpec, Scene, ShortestWaves};
 
-/// Least distance of an edge from the point of first touch, in Hertz half-widths.
+/// Smallest distance of an edge from the point of first contact, in Hertz half-widths.
 const ROOM: f64 = 1.5;
-/// Fewest cells in the shortest wave.
+/// Fewest cells per shortest wavelength.
 const CELLS_IN_WAVE: f64 = 3.0;
-/// Share of the mean square height in waves shorter than that which a surface of Gaussian autocorrelation has
-/// whose length is [`CELLS_IN_WAVE`] cells.
+/// Fraction of the mean square height in waves shorter than that for a Gaussian autocorrelation whose length is
+/// [`CELLS_IN_WAVE`] cells.
 const SHARE_OF_SHORT_WAVES: f64 = 3e-3;
 
-/// Edges of the box that are too near.
+/// Edges of the box close to the contact.
 pub(super) fn boxes(scene: &Scene) -> Vec<Warning> {
     let chosen = matches!(scene.grid, GridSpec::Accuracy { .. });
     let allowed = scene.solver.edge_contact && !scene.is_lubricated();
@@ -31,8 +31,7 @@ pub(super) fn boxes(scene: &Scene) -> Vec<Warning> {
     }
 }
 
-/// Warnings about the edges of `grid` that lie within [`ROOM`] half-widths of the middle; of a line along x
-/// alone.
+/// Warnings about edges of `grid` within [`ROOM`] half-widths of the center; for a line only along x.
 fn edges(grid: &Grid, hertz: &HertzContact, is_line: bool) -> Vec<Warning> {
     let [half_x, half_y] = hertz.half_extents();
     let axes = [
@@ -57,7 +56,7 @@ fn edges(grid: &Grid, hertz: &HertzContact, is_line: bool) -> Vec<Warning> {
     axes.into_iter().take(if is_line { 1 } else { 2 }).filter_map(near).collect()
 }
 
-/// Cells too wide for random surfaces, whose waves the scene tells.
+/// Cells too wide for random surfaces with a known spectrum.
 pub(super) fn known_waves(scene: &Scene) -> Vec<Warning> {
     let Ok(grid) = scene.grid() else { return Vec::new() };
     let bodies = || BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
@@ -91,7 +90,7 @@ pub(super) fn known_waves(scene: &Scene) -> Vec<Warning> {
     list
 }
 
-/// Fewer than three cells in the shortest waves, of one body and their length.
+/// Fewer than three cells per shortest wavelength of a body.
 fn few_cells(field: &str, (count, cell): (usize, f64), waves: Option<(&str, f64)>) -> Option<Warning> {
     let (body, length) = waves?;
     (cell > length / CELLS_IN_WAVE * (1.0 + 1e-9)).then(|| {
@@ -109,12 +108,12 @@ fn few_cells(field: &str, (count, cell): (usize, f64), waves: Option<(&str, f64)
     })
 }
 
-/// Cells too wide for the waves of `heights`, which a file or a caller has given.
+/// Cells too wide for the waves of given `heights`.
 pub(super) fn measured_waves(field: &str, heights: &[f64], grid: &Grid) -> Vec<Warning> {
     let axes = [(Axis::X, "nx", grid.dx(), grid.nx()), (Axis::Y, "ny", grid.dy(), grid.ny())];
     let mut list = Vec::new();
     for (axis, count, cell, cells) in axes {
-        // Fewer than four cells have no spectrum.
+        // Spectra need at least four cells.
         let Ok(spectrum) = profile_spectrum(grid, heights, axis, Boundary::Periodic) else { continue };
         let shortest = std::f64::consts::TAU / (CELLS_IN_WAVE * cell);
         let (mut all, mut short_waves) = (0.0, 0.0);

@@ -15,7 +15,7 @@ use std::fmt;
 
 pub use given_film::given_film_warnings;
 pub(in crate::sim) use left_out::{OperatingPoint, left_out};
-pub(in crate::sim) use plausible::{of_own_laws, refuse_height_slip, refuse_slips};
+pub(in crate::sim) use plausible::{of_own_laws, reject_height_unit, reject_units};
 pub(in crate::sim) use quasi_static::QUASI_STATIC;
 pub(in crate::sim) use rough::of_roughness;
 pub(in crate::sim) use solved::{DEEP_WEAR, SolvedContact, after_solve, deep_wear, large_errors, of_contact};

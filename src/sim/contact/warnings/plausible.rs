@@ -1,7 +1,7 @@
-//! Values that are rather those of another unit.
+//! Warnings about values that are probably in another unit.
 //!
-//! Each [quantity](super::quantity) has a range that engineering contacts stay in with room to spare. A new key
-//! is an entry in one of the lists below, with a range of its own where none fits.
+//! Each [quantity](super::quantity) has a range that is wider than that of engineering contacts. A new key is an entry in
+//! one of the lists below, with its own range if none fits.
 
 use super::Warning;
 use super::quantity::{
@@ -17,25 +17,25 @@ use crate::metrics::height_statistics;
 use crate::sim::contact::setup;
 use crate::sim::scene::{BODIES, LubricantSpec, Scene, Schedule, TribofilmSpec, WearLawSpec};
 
-/// Rq above which the heights of a body are refused where the contact is narrower \[m\].
+/// Rq above which heights are rejected if the contact is narrower \[m\].
 const ROUGHEST: f64 = 1e-3;
-/// Equivalent modulus \[Pa\] up to which bodies are soft: joints and seals of them fit closely, and their reduced
-/// radius is several metres.
+/// Equivalent modulus \[Pa\] below which bodies are soft: joints and seals are conformal, with reduced radii of several
+/// metres.
 const SOFT: f64 = 2e10;
 
-/// Key, value where there is one, and what it may be.
+/// Key, value if given, and range.
 type Entry = (String, Option<f64>, Plausible);
 
-/// Values of the scene that are implausible.
+/// Implausible values of the scene.
 pub(super) fn values(scene: &Scene) -> Vec<Warning> {
     let given = entries(scene).into_iter().chain(roughness(scene));
     given.filter_map(|(field, value, range)| range.check(&field, value?)).collect()
 }
 
-/// Error for the first value of the scene that was plainly given in another unit.
-pub(in crate::sim) fn refuse_slips(scene: &Scene) -> Result<(), InputError> {
+/// Error for the first value of the scene that is clearly in another unit.
+pub(in crate::sim) fn reject_units(scene: &Scene) -> Result<(), InputError> {
     for (field, value, range) in entries(scene) {
-        value.map_or(Ok(()), |value| range.refuse_slip(&field, value))?;
+        value.map_or(Ok(()), |value| range.reject_unit(&field, value))?;
     }
     let roughest = ROUGHEST.max(half_width(scene));
     for (field, rq, range) in roughness(scene) {
@@ -44,7 +44,7 @@ pub(in crate::sim) fn refuse_slips(scene: &Scene) -> Result<(), InputError> {
     Ok(())
 }
 
-/// Everything of the scene that has a plausible range by itself.
+/// All values of the scene with a plausible range of their own.
 fn entries(scene: &Scene) -> Vec<Entry> {
     let mut entries = bodies(scene);
     entries.extend(conditions(scene));
@@ -55,9 +55,9 @@ fn entries(scene: &Scene) -> Vec<Entry> {
     entries
 }
 
-/// Error for `heights` \[m\] that are rougher than a contact of `half_width` \[m\] is wide, and than any surface in
-/// a lubricated contact: they are in another unit.
-pub(in crate::sim) fn refuse_height_slip(
+/// Error for `heights` \[m\] rougher than both the width of a contact of `half_width` \[m\] and any surface of a lubricated
+/// contact: they are in another unit.
+pub(in crate::sim) fn reject_height_unit(
     field: &str,
     heights: &[f64],
     half_width: f64,
@@ -70,8 +70,7 @@ pub(in crate::sim) fn refuse_height_slip(
     }
 }
 
-/// Warnings about `heights` \[m\] that are far from zero, and about their Rq where it is that of no surface in a
-/// contact of `half_width` \[m\].
+/// Warnings about `heights` \[m\] far from zero, and about an Rq that is implausible for a contact of `half_width` \[m\].
 pub(super) fn height(field: &str, heights: &[f64], half_width: f64) -> Vec<Warning> {
     let largest = heights.iter().fold(0.0, |largest, height| height.abs().max(largest));
     let rq = height_statistics(heights).map_or(f64::NAN, |statistics| statistics.sq);
@@ -79,8 +78,7 @@ pub(super) fn height(field: &str, heights: &[f64], half_width: f64) -> Vec<Warni
     rq.into_iter().chain(HEIGHT.check(field, largest)).collect()
 }
 
-/// Warnings about laws that a caller has given: the viscosity at ambient pressure of one, and the thickness
-/// \[m\] that a tribofilm grows to.
+/// Warnings about custom laws: viscosity at ambient pressure, limit thickness \[m\] of a tribofilm.
 pub(in crate::sim) fn of_own_laws(
     viscosity: Option<&dyn ViscosityLaw>,
     thickness: Option<f64>,
@@ -91,7 +89,7 @@ pub(in crate::sim) fn of_own_laws(
     eta0.into_iter().chain(alpha).chain(film).collect()
 }
 
-/// A key, its value where it is given, and its range.
+/// A key, its value if given, and its range.
 fn entry(field: &str, value: impl Into<Option<f64>>, range: Plausible) -> Entry {
     (field.to_owned(), value.into(), range)
 }
@@ -184,7 +182,7 @@ fn oil(oil: &LubricantSpec) -> Vec<Entry> {
     ]
 }
 
-/// A law in place of that of Roelands, by what it gives at ambient pressure.
+/// A viscosity law other than Roelands', by its values at ambient pressure.
 fn viscosity_law(scene: &Scene) -> Vec<Entry> {
     let of_its_own = scene.lubricant.is_some_and(|oil| oil.viscosity.is_some());
     let conditions = scene.conditions(0.0).ok().filter(|_| of_its_own);
@@ -197,12 +195,12 @@ fn viscosity_law(scene: &Scene) -> Vec<Entry> {
     ]
 }
 
-/// Smaller half-width of the Hertz contact \[m\]; infinite where it is not known.
+/// Smaller half-width of the Hertz contact \[m\]; infinite if unknown.
 fn half_width(scene: &Scene) -> f64 {
     scene.hertz().map_or(f64::INFINITY, |hertz| hertz.half_width_x.min(hertz.half_width_y))
 }
 
-/// Rq of both bodies, against the Hertz contact.
+/// Rq of both bodies, relative to the Hertz contact.
 fn roughness(scene: &Scene) -> Vec<Entry> {
     let half_width = half_width(scene);
     let bodies = BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);

@@ -1,23 +1,23 @@
-//! Quantities: what they may plausibly be, in which units people write them, and which unit was meant.
+//! Plausible ranges of quantities, their common units, and guesses of the intended unit.
 //!
-//! A value outside of its range is tried in the other units that people write: the one that comes closest to
-//! the usual size, by the logarithm, is offered. A length of no size that people write as a number alone was
-//! given with a unit: then the unit a thousand times smaller or larger is offered.
+//! A value outside of its range is interpreted in the other common units; the message offers the one closest to the
+//! typical size, by logarithm. A length too large or too small for a plain number was given with a unit: the message then
+//! offers a unit a thousand times smaller or larger.
 
 use super::{Warning, short};
 use crate::error::InputError;
 
-/// A unit with others that people write in its place: name, factor and offset to the SI one.
+/// A unit and its alternatives: name, factor and offset to the SI unit.
 struct Unit {
     /// The SI unit.
     name: &'static str,
     /// The others: name, factor and offset.
     others: &'static [(&'static str, f64, f64)],
-    /// Smallest and largest number that people write in one of them; beyond, a unit was given and is wrong.
+    /// Smallest and largest plain number in these units; outside of this range a wrong unit was given.
     numbers: [f64; 2],
 }
 
-/// A quantity of which any number may be written.
+/// A quantity without bounds on plain numbers.
 const fn unit(name: &'static str, others: &'static [(&'static str, f64, f64)]) -> Unit {
     Unit { name, others, numbers: [0.0, f64::INFINITY] }
 }
@@ -42,44 +42,43 @@ const VOLUME: Unit = unit("m^3", &[("nm^3", 1e-27, 0.0), ("A^3", 1e-30, 0.0)]);
 const PER_SECOND: Unit = unit("1/s", &[("1/h", 1.0 / 3600.0, 0.0)]);
 const PASCAL_PER_METRE: Unit = unit("Pa/m", &[("GPa/um", 1e15, 0.0), ("MPa/um", 1e12, 0.0)]);
 const RATIO: Unit = unit("", &[("%", 0.01, 0.0)]);
-/// Numbers that nobody gives in per cent.
+/// Numbers that are not given in per cent.
 const PURE: Unit = unit("", &[]);
 
-/// What a quantity may plausibly be, and what it is like as a rule.
-/// Zero is left to the errors, signs are ignored.
+/// Plausible range and typical size of a quantity. Zero is not checked and signs are ignored.
 pub(super) struct Plausible {
     /// Smallest plausible size.
     low: f64,
     /// Largest plausible size.
     high: f64,
-    /// Size as a rule, which a guess of the unit is measured by.
+    /// Typical size, to guess a unit.
     usual: f64,
     /// The unit of all three.
     unit: &'static Unit,
 }
 
-/// Range from `low` to `high`, size as a rule and unit.
+/// Range from `low` to `high`, typical size and unit.
 const fn plausible(low: f64, high: f64, usual: f64, unit: &'static Unit) -> Plausible {
     Plausible { low, high, usual, unit }
 }
 
-/// Radii of bodies, from the tip of a microscope to a bearing ring.
+/// Radii of bodies, from a microscope tip to a bearing ring.
 pub(super) const RADIUS: Plausible = plausible(1e-8, 1.0, 1e-2, &METRE);
 /// Crowned rollers are nearly straight along their axis.
 pub(super) const LONGER_RADIUS: Plausible = plausible(1e-8, 100.0, 1e-2, &METRE);
-/// Moduli, from rubber to beyond diamond.
+/// Moduli, from rubber to diamond.
 pub(super) const MODULUS: Plausible = plausible(1e6, 3e12, 2e11, &PASCAL);
 /// Hertz pressures.
 pub(super) const HERTZ_PRESSURE: Plausible = plausible(1e3, 3e10, 1e9, &PASCAL);
-/// Loads, from a microscope to a mill.
+/// Loads, from a microscope to a rolling mill.
 pub(super) const FORCE: Plausible = plausible(1e-9, 1e7, 50.0, &NEWTON);
 /// Entrainment speeds.
 pub(super) const SPEED: Plausible = plausible(1e-9, 200.0, 0.3, &METRE_PER_SECOND);
-/// Beyond 2 the surfaces move against each other.
+/// Above 2 the surfaces move in opposite directions.
 pub(super) const SLIDE_ROLL_RATIO: Plausible = plausible(0.0, 2.0, 0.1, &RATIO);
-/// From water at the boil to thicker than the heaviest gear oils at 40 degC.
+/// From boiling water to the heaviest gear oils at 40 degC.
 pub(super) const VISCOSITY: Plausible = plausible(1e-4, 2.0, 0.01, &PASCAL_SECOND);
-/// The same, of gases too.
+/// Viscosities including gases.
 pub(super) const GAS_VISCOSITY: Plausible = plausible(5e-6, 2.0, 0.01, &PASCAL_SECOND);
 /// Pressure-viscosity coefficients.
 pub(super) const PRESSURE_VISCOSITY: Plausible = plausible(1e-10, 1e-7, 2e-8, &PER_PASCAL);
@@ -89,7 +88,7 @@ pub(super) const ROELANDS_PRESSURE: Plausible = plausible(1e7, 2e9, 2e8, &PASCAL
 pub(super) const ROELANDS_INDEX: Plausible = plausible(0.05, 2.0, 0.6, &PURE);
 /// Constants of the law of Dowson and Higginson.
 pub(super) const COMPRESSIBILITY: Plausible = plausible(0.0, 1e-8, 1e-9, &PER_PASCAL);
-/// Films of oil that are supplied.
+/// Supplied oil films.
 pub(super) const FILM: Plausible = plausible(1e-10, 1e-4, 1e-7, &METRE);
 /// Films between rigid surfaces.
 pub(super) const GIVEN_FILM: Plausible = plausible(1e-9, 1e-2, 1e-5, &METRE);
@@ -107,42 +106,42 @@ pub(super) const STRENGTH: Plausible = plausible(1e6, 3e10, 1.5e9, &PASCAL);
 pub(super) const HARDENING: Plausible = plausible(1e9, 1e19, 1e15, &PASCAL_PER_METRE);
 /// Thicknesses of coatings, from a layer of molecules to a sleeve.
 pub(super) const LAYER: Plausible = plausible(1e-9, 1e-2, 2e-6, &METRE);
-/// Depths at which stresses are looked at.
+/// Depths of stresses.
 pub(super) const DEPTH: Plausible = plausible(1e-9, 0.1, 1e-4, &METRE);
 /// Thicknesses of tribofilms.
 pub(super) const TRIBOFILM: Plausible = plausible(1e-10, 1e-5, 1e-7, &METRE);
 /// Archard's coefficients, up to that of bare metals without oil.
 pub(super) const WEAR: Plausible = plausible(0.0, 0.02, 1e-6, &PURE);
-/// Worn volumes per energy of friction.
+/// Worn volumes per frictional energy.
 pub(super) const WEAR_PER_ENERGY: Plausible = plausible(0.0, 1e-9, 1e-16, &VOLUME_PER_ENERGY);
 /// Factors of mechanical activation.
 pub(super) const ACTIVATION: Plausible = plausible(1e-20, 1e-10, 4e-16, &PURE);
-/// Rates at which films are removed.
+/// Removal rates of films.
 pub(super) const REMOVAL: Plausible = plausible(0.0, 10.0, 1e-3, &PER_SECOND);
-/// Volumes that stress acts on, of single atoms to large molecules.
+/// Activation volumes, from atoms to large molecules.
 pub(super) const ACTIVATION_VOLUME: Plausible = plausible(1e-31, 1e-25, 1e-29, &VOLUME);
 /// Up to 10 eV.
 pub(super) const BARRIER: Plausible = plausible(1e-21, 1.6e-18, 1.3e-19, &JOULE);
-/// Bulk temperatures, from an arctic night to where steel is soft.
+/// Bulk temperatures, from arctic cold to softening steel.
 pub(super) const TEMPERATURE: Plausible = plausible(200.0, 1500.0, 350.0, &KELVIN);
-/// Conductivities of solids, diamond among them.
+/// Conductivities of solids including diamond.
 pub(super) const HEAT_CONDUCTIVITY: Plausible = plausible(0.01, 3000.0, 46.0, &CONDUCTIVITY);
 /// Diffusivities of solids.
 pub(super) const HEAT_DIFFUSIVITY: Plausible = plausible(1e-8, 3e-3, 1e-5, &DIFFUSIVITY);
 /// Conductivities of fluids.
 pub(super) const OIL_CONDUCTIVITY: Plausible = plausible(0.05, 1.0, 0.14, &CONDUCTIVITY);
-/// Heat capacities of a volume of fluid.
+/// Volumetric heat capacities of fluids.
 pub(super) const OIL_HEAT_CAPACITY: Plausible = plausible(5e5, 1e7, 1.7e6, &HEAT_CAPACITY);
 /// Radii of tracks.
 pub(super) const TRACK_RADIUS: Plausible = plausible(1e-6, 1.0, 2e-2, &METRE);
-/// Solids touch at the size of molecules.
+/// Contact films: the size of molecules.
 pub(super) const CONTACT_FILM: Plausible = plausible(1e-11, 1e-7, 1e-9, &METRE);
-/// Residuals that a solve may end with.
+/// Residuals at convergence.
 pub(super) const TOLERANCE: Plausible = plausible(1e-12, 1e-2, 1e-6, &PURE);
 
-/// Heights of surfaces, form and offset included.
+/// Heights of surfaces, including form and offset.
 pub(super) const HEIGHT: Plausible = plausible(0.0, 0.1, 1e-7, &METRE);
-/// Rq of a face of a crystal, below which no surface is made \[m\].
+/// Rq of a crystal face, the smallest of any surface \[m\].
 const SMALLEST_RQ: f64 = 1e-11;
 /// Largest Rq over the half-width of the contact.
 const LARGEST_RQ: f64 = 0.1;
@@ -152,12 +151,12 @@ pub(super) fn rq_range(half_width: f64) -> Plausible {
     plausible(SMALLEST_RQ, LARGEST_RQ * half_width, 1e-7, &METRE)
 }
 
-/// How far beyond its plausible range a value is refused where another unit explains it.
+/// Factor outside of the plausible range at which a value is rejected if another unit explains it.
 const ABSURD: f64 = 100.0;
 
 impl Plausible {
-    /// Error for a `value` that is so far out of its range that it was plainly given in another unit.
-    pub(super) fn refuse_slip(&self, field: &str, value: f64) -> Result<(), InputError> {
+    /// Error for a `value` so far out of its range that it is clearly in another unit.
+    pub(super) fn reject_unit(&self, field: &str, value: f64) -> Result<(), InputError> {
         let size = value.abs();
         let beyond = size > ABSURD * self.high || ABSURD * size < self.low;
         if beyond && self.guess(value).is_some() { self.refuse(field, value) } else { Ok(()) }
@@ -171,7 +170,7 @@ impl Plausible {
         })
     }
 
-    /// The warning about `value`, unless it is plausible; zero and what is no number are for the errors.
+    /// The warning about an implausible `value`; zero and NaN are input errors.
     pub(super) fn check(&self, field: &str, value: f64) -> Option<Warning> {
         let size = value.abs();
         if !value.is_finite() || size == 0.0 || (self.low..=self.high).contains(&size) {
@@ -196,7 +195,7 @@ impl Plausible {
         ))
     }
 
-    /// What is rather meant by the implausible `value`: number, unit and value in the SI unit.
+    /// The intended value of an implausible `value`: number, unit and value in the SI unit.
     fn guess(&self, value: f64) -> Option<(f64, &'static str, f64)> {
         let Unit { others, numbers: [least, most], .. } = self.unit;
         let fits = |si: f64| (self.low..=self.high).contains(&si.abs());

@@ -1,18 +1,18 @@
-//! Loads and speeds that change while the surfaces pass the contact.
+//! Warnings about loads and speeds that change during one transit of the contact.
 
 use super::{Warning, short};
 use crate::sim::scene::Scene;
 use crate::sim::scene::operating_schedule::OperatingSchedule;
 use crate::sim::scene::time_series::TimeSeries;
 
-/// Largest relative change within one passage.
+/// Largest relative change during one transit.
 const LARGEST_CHANGE: f64 = 0.1;
 
 /// The fields of these warnings.
 pub(in crate::sim) const QUASI_STATIC: [&str; 2] = ["schedule.load", "schedule.entrainment_speed"];
 
-/// Warnings about scheduled loads and speeds that change by more than [`LARGEST_CHANGE`] while the surfaces pass
-/// the Hertz contact once.
+/// Warnings about scheduled loads and speeds that change by more than [`LARGEST_CHANGE`] while the surfaces pass the Hertz
+/// contact once.
 pub(super) fn fast_changes(scene: &Scene) -> Vec<Warning> {
     let Ok(operating_schedule) = OperatingSchedule::new(scene) else { return Vec::new() };
     if !scene.is_lubricated() {
@@ -26,7 +26,7 @@ pub(super) fn fast_changes(scene: &Scene) -> Vec<Warning> {
         .collect()
 }
 
-/// The warning about the fastest change of one of both.
+/// The warning about the fastest change of a schedule.
 fn fast(
     scene: &Scene,
     operating_schedule: &OperatingSchedule,

@@ -1,4 +1,4 @@
-//! Roughness that small slopes and the Hertz contact do not hold for.
+//! Warnings about roughness beyond small slopes and Hertz contacts.
 
 use super::quantity::rq_range;
 use super::{Warning, short};
@@ -7,10 +7,10 @@ use crate::metrics::{height_statistics, hybrid_parameters};
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::{BODIES, Roughness, Scene};
 
-/// Largest root mean square gradient: sides of asperities are then steeper than one in six.
+/// Largest root mean square gradient: flanks of asperities are then steeper than one in six.
 const LARGEST_GRADIENT: f64 = 0.1;
-/// Largest composite Rq over the Hertz approach `a^2/R`: from some 0.05 on the pressure falls below that of Hertz, from
-/// some 1 on there is no Hertz contact (Greenwood, J. A. and Tripp, J. H. (1967), Journal of Applied Mechanics 34,
+/// Largest composite Rq over the Hertz approach `a^2/R`. Above about 0.05 the pressure is lower than that of Hertz; above
+/// about 1 there is no Hertz contact (Greenwood, J. A. and Tripp, J. H. (1967), Journal of Applied Mechanics 34,
 /// 153-159).
 const LARGEST_SHARE: f64 = 0.5;
 
@@ -25,7 +25,7 @@ pub(in crate::sim) fn of_roughness(
     steep.chain(high(scene, heights, hertz)).collect()
 }
 
-/// A body whose asperities are steep.
+/// A body with steep asperities.
 fn steep(body: &str, heights: &[f64], grid: &Grid) -> Option<Warning> {
     let gradient = hybrid_parameters(grid, heights, None).ok()?.sdq;
     (gradient > LARGEST_GRADIENT).then(|| {
@@ -41,7 +41,7 @@ fn steep(body: &str, heights: &[f64], grid: &Grid) -> Option<Warning> {
     })
 }
 
-/// Rough bodies whose contact is not that of Hertz; textures, which are cut into smooth bodies, have one.
+/// Rough bodies without a Hertz contact; textures, cut into smooth bodies, have one.
 fn high(scene: &Scene, heights: [&[f64]; 2], hertz: &HertzContact) -> Option<Warning> {
     let bodies = [&scene.roughness.ball, &scene.roughness.disc].into_iter().zip(heights);
     let rough = bodies.filter(|(roughness, _)| !matches!(roughness, Roughness::Texture(_)));

@@ -1,4 +1,4 @@
-//! What only a solution tells.
+//! Warnings about a solution.
 
 use super::left_out::{OperatingPoint, left_out};
 use super::quantity::FRICTION;
@@ -13,19 +13,18 @@ use crate::sim::scene::{GridSpec, Scene};
 const LARGEST_PRESSURE: f64 = 2.0;
 /// Largest rise of a film above the bulk temperature \[K\].
 const LARGEST_RISE: f64 = 100.0;
-/// Widest cells over the length of the inlet: from there on central films of smooth contacts err by a tenth and
-/// more.
+/// Largest cell width over inlet length: above it central films of smooth contacts have errors of a tenth or more.
 const WIDEST_CELL: f64 = 2.0;
 /// Deepest wear over the half-width of the contact.
 const DEEPEST_WEAR: f64 = 0.1;
-/// What that warning is about, of ball and disc.
+/// Fields of that warning, for ball and disc.
 pub(in crate::sim) const DEEP_WEAR: [&str; 2] = ["wear.ball_max", "wear.disc_max"];
 /// Share of the load on solids from which on smooth bodies touch.
 const SMOOTH_TOUCHING: f64 = 0.01;
-/// Largest estimate of an error that goes without a warning.
+/// Largest estimated error without a warning.
 const LARGEST_ERROR: f64 = 0.1;
 
-/// What single contacts and the first one of a history are looked at for.
+/// Values of a single contact, or of the first one of a history, that are checked.
 pub(in crate::sim) struct SolvedContact<'a> {
     /// The contact between smooth dry bodies.
     pub(in crate::sim) hertz: &'a HertzContact,
@@ -41,11 +40,11 @@ pub(in crate::sim) struct SolvedContact<'a> {
     pub(in crate::sim) friction: f64,
     /// Share of the load on solids.
     pub(in crate::sim) load_ratio: f64,
-    /// Largest temperature of the film and that of the bulk \[K\], where the film has its own.
+    /// Largest temperature of the film and bulk temperature \[K\], if the film temperature is modelled.
     pub(in crate::sim) temperatures: Option<[f64; 2]>,
 }
 
-/// Warnings about a contact of `scene`; `with_error` where the error of its mesh is known.
+/// Warnings about a contact of `scene`; `with_error` if the error of its mesh is known.
 pub(in crate::sim) fn of_contact(scene: &Scene, seen: &SolvedContact<'_>, with_error: bool) -> Vec<Warning> {
     let excess = || excess_pressure(seen.largest_pressure, seen.hertz.pressure);
     let pressure = seen.smooth.then(excess).flatten();
@@ -60,7 +59,7 @@ pub(in crate::sim) fn of_contact(scene: &Scene, seen: &SolvedContact<'_>, with_e
 pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
     let conditions = scene.conditions(0.0).ok();
     let film = solution.thermal.as_ref().zip(conditions);
-    // Heights in memory may be rough in a scene that says nothing of roughness.
+    // Heights in memory may be rough although the scene has no roughness.
     let smooth = scene.is_smooth() && solution.roughness.composite_rq == 0.0;
     let seen = SolvedContact {
         hertz: &solution.hertz,
@@ -88,15 +87,15 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
         left_out(scene, &point)
     }));
     list.extend(mesh_errors(scene, solution));
-    // Checks of the smooth contact may have reported the same before the solve.
+    // Checks of the smooth contact may have reported the same field before the solve.
     list.retain(|found| solution.warnings.iter().all(|known| known.field != found.field));
     list
 }
 
-/// Cells too wide for the inlet that makes the central film of a smooth contact.
+/// Cells too wide for the inlet, which determines the central film of a smooth contact.
 ///
-/// In front of the contact the gap rises as `a^2/R (s/a)^(3/2)`, `s` being the distance from its edge; where it
-/// is the film the pressure of the fluid builds up.
+/// The gap upstream of the contact is `a^2/R (s/a)^(3/2)` at the distance `s` from its edge; the fluid pressure builds up
+/// where it equals the film.
 fn coarse_inlet(scene: &Scene, seen: &SolvedContact<'_>) -> Option<Warning> {
     let SolvedContact { hertz, dx, central_film: central, .. } = *seen;
     let along = hertz.half_width_x;
@@ -130,8 +129,7 @@ fn touching(scene: &Scene, load_ratio: f64) -> Option<Warning> {
     })
 }
 
-/// A film whose largest temperature \[K\] is so far above that of the `bulk` that no law of viscosity was
-/// fitted to it.
+/// A film whose largest temperature \[K\] is so far above the `bulk` temperature that viscosity laws do not hold.
 fn hot_film(largest: f64, bulk: f64) -> Option<Warning> {
     let rise = largest - bulk;
     (rise > LARGEST_RISE).then(|| {
@@ -147,7 +145,7 @@ fn hot_film(largest: f64, bulk: f64) -> Option<Warning> {
     })
 }
 
-/// The largest pressure \[Pa\] of a smooth contact that is far above the one of Hertz.
+/// Largest pressure \[Pa\] of a smooth contact far above the Hertz pressure.
 fn excess_pressure(largest: f64, hertz: f64) -> Option<Warning> {
     (largest > LARGEST_PRESSURE * hertz).then(|| {
         Warning::new(
@@ -163,8 +161,7 @@ fn excess_pressure(largest: f64, hertz: f64) -> Option<Warning> {
     })
 }
 
-/// A node of ball or disc worn by the larger of the `depths` \[m\], which is much for a contact of `half_width`
-/// \[m\].
+/// A node of ball or disc whose larger worn depth of `depths` \[m\] is large for a contact of `half_width` \[m\].
 pub(in crate::sim) fn deep_wear([ball, disc]: [f64; 2], half_width: f64) -> Option<Warning> {
     let [of_ball, of_disc] = DEEP_WEAR;
     let (field, depth) = if ball > disc { (of_ball, ball) } else { (of_disc, disc) };
@@ -178,7 +175,7 @@ pub(in crate::sim) fn deep_wear([ball, disc]: [f64; 2], half_width: f64) -> Opti
     })
 }
 
-/// Errors that were estimated large, or that are unknown although they are asked for.
+/// Large estimated errors, or requested estimates that are missing.
 fn mesh_errors(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
     let wanted = match scene.grid {
         GridSpec::Accuracy { accuracy } => Some(("grid.accuracy", accuracy)),
@@ -196,9 +193,7 @@ fn mesh_errors(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
     large_errors(&estimate, rough).into_iter().collect()
 }
 
-/// The warning about the largest of all estimates above [`LARGEST_ERROR`]; it names the others too.
-///
-/// Films and pressures at one point of a `rough` surface are numbers of that point; means count there.
+/// The warning about the largest estimate above [`LARGEST_ERROR`]; it names the others too.
 pub(in crate::sim) fn large_errors(estimate: &ErrorEstimate, rough: bool) -> Option<Warning> {
     let points = [
         ("film_central", estimate.film_central),
@@ -211,7 +206,7 @@ pub(in crate::sim) fn large_errors(estimate: &ErrorEstimate, rough: bool) -> Opt
         ("contact_area_ratio", estimate.contact_area_ratio),
         ("friction_coefficient", estimate.friction_coefficient),
     ];
-    // What is no number is no small error.
+    // NaN does not count as small.
     let points = points.into_iter().filter(|_| !rough);
     let large =
         errors.into_iter().chain(points).filter(|(_, error)| error.is_nan() || *error > LARGEST_ERROR);

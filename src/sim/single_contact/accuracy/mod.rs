@@ -1,7 +1,8 @@
-//! Errors of a single contact that coarser meshes tell, and meshes for a wanted accuracy.
+//! Error estimates of a single contact from coarser meshes, and meshes for a target accuracy.
 //!
-//! `smooth` picks box and meshes for a smooth contact and extrapolates over three of them, `rough` halves cells until
-//! the estimated errors are small (`contact::mesh_error`). `docs/errors.md` has the evidence.
+//! `smooth` picks box and meshes of a smooth contact and extrapolates over three of them. `rough` halves
+//! cells until the change is small. `change` estimates the errors of a mesh from its difference to a coarser
+//! one. `surfaces` evaluates heights on any mesh. The factors and their evidence are in `docs/errors.md`.
 
 mod rough;
 mod smooth;
@@ -16,8 +17,8 @@ use crate::sim::contact::warnings::Warning;
 use crate::sim::error::SimError;
 use crate::sim::scene::{GridSpec, Scene};
 
-/// Nodes of the largest mesh that a solve of `scene` takes: its own where that is given, the finest of the first
-/// meshes of a smooth contact that picks them, the largest that is ever tried of a rough one.
+/// Nodes of the largest mesh that a solve of `scene` uses: its own if given; the finest of the first meshes
+/// for a smooth contact; the largest allowed mesh for a rough contact.
 pub(in crate::sim) fn largest_mesh(scene: &Scene) -> Result<usize, SimError> {
     match scene.grid {
         GridSpec::Accuracy { accuracy } if scene.is_smooth() => {
@@ -30,20 +31,20 @@ pub(in crate::sim) fn largest_mesh(scene: &Scene) -> Result<usize, SimError> {
     }
 }
 
-/// The meshes of one contact, of which nothing is solved yet.
+/// The meshes of one contact before the first solve.
 pub(in crate::sim) enum Meshes {
-    /// Of a smooth contact, box and cells picked.
+    /// A smooth contact whose box and cells are chosen.
     Smooth(Box<smooth::MeshChoice>),
-    /// Of a rough one, or of given cells.
+    /// A rough contact, or one of given cells.
     Rough(Box<rough::Halving>),
 }
 
 impl Meshes {
-    /// Those of the single contact of `scene`. Everything that a solve refuses before its first iteration is
-    /// refused here.
+    /// The meshes of the single contact of `scene`. All input errors of a solve are returned here, before its
+    /// first iteration.
     ///
     /// # Errors
-    /// A scene that does not fit, an accuracy out of range, surfaces that are not known on other meshes.
+    /// A scene that does not fit, an accuracy out of range, surfaces that cannot be evaluated on other meshes.
     pub(in crate::sim) fn new(scene: &Scene, interrupt: Option<&Interrupt>) -> Result<Self, SimError> {
         let (accuracy, field) = match (scene.grid, scene.solver.accuracy) {
             (GridSpec::Accuracy { .. }, Some(_)) => {
@@ -70,8 +71,8 @@ impl Meshes {
         Ok(Self::Rough(Box::new(meshes)))
     }
 
-    /// Solves on one mesh after the other and estimates the errors of the last; `observer` sees the solution of
-    /// each.
+    /// Solves on one mesh after the other and estimates the errors of the last. `observer` is called with each
+    /// solution.
     pub(in crate::sim) fn solve(
         self,
         observer: &mut dyn FnMut(&ContactSolution),
@@ -82,7 +83,7 @@ impl Meshes {
         }
     }
 
-    /// What is known without solving.
+    /// The warnings before the first solve.
     pub(in crate::sim) fn into_warnings(self) -> Vec<Warning> {
         match self {
             Self::Smooth(meshes) => meshes.warnings,
@@ -91,7 +92,7 @@ impl Meshes {
     }
 }
 
-/// Work of all meshes, convolutions as node counts.
+/// Work on all meshes, convolutions weighted by nodes.
 #[derive(Debug, Default)]
 struct WorkUsed {
     /// Convolutions times the nodes of their grids.
@@ -103,7 +104,7 @@ struct WorkUsed {
 }
 
 impl WorkUsed {
-    /// Counts in the work of `solution`.
+    /// Adds the work of `solution`.
     fn add(&mut self, solution: &ContactSolution) {
         let work = solution.report.work;
         self.convolved_nodes += work.convolutions * solution.grid.len() as f64;
@@ -111,7 +112,7 @@ impl WorkUsed {
         self.inner_iterations += work.inner_iterations;
     }
 
-    /// The work in equivalents of `grid`.
+    /// The work in convolutions of `grid`.
     fn on(&self, grid: &Grid) -> Work {
         Work {
             convolutions: self.convolved_nodes / grid.len() as f64,

@@ -1,10 +1,10 @@
-//! A rough contact and its errors: one surface, by its Fourier series, on meshes whose cells halve.
+//! A rough contact on meshes of halved cells: the surface is its Fourier series, errors are estimated.
 //!
-//! A rough contact has no order of convergence: asperities touch on one mesh and not on the next. So the
-//! errors of a mesh are estimated from the change since the mesh of half the cells along each side
-//! (`contact::mesh_error`), and meshes are refined until the estimate is below the accuracy. The surface stays one
-//! surface, as its Fourier series is evaluated on each mesh. Where no cells are given, box and cells follow
-//! from the waves of the random surfaces, which must have a shortest length.
+//! A rough contact has no order of convergence: asperities touch on one mesh and not on the next. Errors of
+//! a mesh are estimated from the change since the mesh of half as many cells along each side ([`change`]);
+//! meshes are refined until the estimate is below the accuracy. The Fourier series of the surface is
+//! evaluated on each mesh, so the surface is the same on all. Without given cells, box and cells follow from
+//! the spectra of the random surfaces, which must have a shortest wavelength.
 
 use super::WorkUsed;
 use super::smooth::Plan;
@@ -23,42 +23,42 @@ use crate::sim::scene::{GridSpec, Roughness, Scene, ShortestWaves};
 use crate::sim::single_contact::prepared::{PreparedContact, prepare_heights};
 use crate::surface::{HeightDistribution, RandomShape};
 
-/// Meshes of more nodes are not tried.
+/// Largest number of nodes of a mesh.
 pub(super) const MAX_NODES: usize = 1 << 20;
-/// Cells in the length over which a Gaussian autocorrelation falls to 10 %, and in the shortest wave of a
-/// self-affine surface: of the former the density of waves shorter than two of them is below 1e-4 of the
-/// largest.
+/// Cells per length over which a Gaussian autocorrelation falls to 10 %, and per shortest wavelength of a
+/// self-affine surface. With a Gaussian autocorrelation the spectral density of waves shorter than two such
+/// cells is below 1e-4 of its maximum.
 const CELLS_IN_LENGTH: f64 = 3.0;
-/// Fewest cells in a Hertz half-width that a contact begins with.
+/// Fewest cells per Hertz half-width on the first mesh.
 const CELLS_IN_AXIS: f64 = 10.0;
-/// Beyond the Hertz circle the bodies part by `1.2 e^1.5 a^2/R` at the distance `e a`; asperities reach over
-/// five times their Rq.
+/// Outside the Hertz circle the gap is `1.2 e^1.5 a^2/R` at the distance `e a`. Asperities touch across gaps
+/// up to five times Rq.
 const GAP_BEYOND: f64 = 1.2;
-/// Heights in Rq up to which asperities reach.
+/// Highest asperities in units of Rq.
 const REACH: f64 = 5.0;
-/// Room between the last asperities that may touch and the edge of the box, in Hertz half-widths.
+/// Margin between the outermost possible asperity contact and the edge of the box, in Hertz half-widths.
 const ROOM: f64 = 0.3;
 
-/// A contact on half the cells of its scene, on these, and on finer and finer ones.
+/// A contact on half the cells of its scene, on these cells, and on successively finer meshes.
 pub(in crate::sim) struct Halving {
-    /// The scene, its grid the mesh that is asked for.
+    /// The scene; its grid is the requested mesh.
     scene: Scene,
-    /// Wanted error.
+    /// Target error.
     accuracy: f64,
-    /// Key of the scene that asks.
+    /// Scene key that requests the estimate.
     field: &'static str,
     /// Heights of both bodies on any mesh.
     surfaces: Surfaces,
-    /// What may end a solve early.
+    /// Interrupt of the solve.
     interrupt: Option<Interrupt>,
     /// The contact on half the cells.
     half: PreparedContact,
-    /// The contact on the mesh that is asked for.
+    /// The contact on the requested mesh.
     whole: PreparedContact,
 }
 
 impl Halving {
-    /// Both first meshes of `scene`, whose `field` asks for the `accuracy`, infinity where any will do.
+    /// The first two meshes of `scene`. Its key `field` requests the `accuracy`; infinity accepts any error.
     pub(super) fn new(
         scene: Scene,
         accuracy: f64,
@@ -67,20 +67,20 @@ impl Halving {
     ) -> Result<Self, SimError> {
         let surfaces = surfaces(&scene, field)?;
         let mut halved = Scene { grid: scene.grid.with_counts(|n| n.div_ceil(2)), ..scene.clone() };
-        // Two rows of the mesh that is asked for decide on the edge of the box.
+        // Whether the contact reaches the edge of the box is checked on the requested mesh only.
         halved.solver.edge_contact = true;
         let half = on(&halved, &surfaces, interrupt).map_err(|error| on_half(error, field))?;
         let whole = on(&scene, &surfaces, interrupt)?;
         Ok(Self { scene, accuracy, field, surfaces, interrupt: interrupt.cloned(), half, whole })
     }
 
-    /// What is known before anything is solved.
+    /// The warnings before the first solve.
     pub(super) fn into_warnings(self) -> Vec<Warning> {
         self.whole.warnings
     }
 
-    /// Solves until the largest of the four estimated errors is at most the accuracy, or a mesh is not
-    /// solved, or the next one would be too large.
+    /// Refines until the largest of the four estimated errors is at most the accuracy, a mesh does not converge,
+    /// or the next one would be too large.
     pub(super) fn solve(
         self,
         observer: &mut dyn FnMut(&ContactSolution),
@@ -119,8 +119,7 @@ fn on(
     prepare_heights(scene, interrupt, surfaces.on(&scene.grid()?)?)
 }
 
-/// The largest of the four errors that an accuracy of a rough contact bounds, without the part of the box, which
-/// smaller cells do not change.
+/// The largest of the errors that an accuracy of a rough contact bounds.
 fn largest(estimate: &ErrorEstimate, solution: &ContactSolution) -> f64 {
     let FrictionNumbers { coefficient, fluid, .. } = solution.friction;
     let by_box = estimate.film_by_box;
@@ -130,14 +129,14 @@ fn largest(estimate: &ErrorEstimate, solution: &ContactSolution) -> f64 {
     film.max(estimate.contact_load_ratio).max(estimate.contact_area_ratio).max(friction)
 }
 
-/// Whether a mesh has at most [`MAX_NODES`] nodes and memory is granted for them.
+/// Whether a mesh has at most [`MAX_NODES`] nodes and fits the allowed memory.
 fn is_affordable(scene: &Scene) -> bool {
     scene.grid().is_ok_and(|grid| {
         grid.len() <= MAX_NODES && setup::validate_memory(&grid, scene.is_lubricated()).is_ok()
     })
 }
 
-/// The surfaces of a scene that can be solved on half its cells too.
+/// The surfaces of a scene that can be halved in cells too.
 fn surfaces(scene: &Scene, field: &str) -> Result<Surfaces, SimError> {
     setup::validate(scene)?;
     let grid = scene.grid()?;
@@ -147,7 +146,7 @@ fn surfaces(scene: &Scene, field: &str) -> Result<Surfaces, SimError> {
     Surfaces::new(scene, &grid)
 }
 
-/// The error of the mesh of half the cells.
+/// An error on the mesh of half the cells.
 fn on_half(error: SimError, field: &str) -> SimError {
     match error {
         SimError::Input(error) => SimError::Input(InputError::Conflict {
@@ -158,8 +157,8 @@ fn on_half(error: SimError, field: &str) -> SimError {
     }
 }
 
-/// The box of the smooth contact, or one that holds all asperities that may touch, with cells that hold the
-/// waves of the random surfaces.
+/// The box of the smooth contact, enlarged to contain all asperities that may touch, with cells that resolve
+/// the waves of the random surfaces.
 pub(super) fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
@@ -188,14 +187,14 @@ pub(super) fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, S
 
 /// The random surfaces of both bodies.
 struct Waves {
-    /// The shortest lengths along x and y of the autocorrelations, or waves \[m\].
+    /// Shortest correlation lengths or wavelengths along x and y \[m\].
     lengths: [f64; 2],
     /// Root mean square of the heights of both \[m\].
     rq: f64,
 }
 
-/// Shortest lengths and common Rq; refuses surfaces that have waves of every length, heights that are not
-/// normal or not periodic, and files, by the key that would have to change.
+/// Shortest lengths and combined Rq. Rejects surfaces with waves of every length, heights that are not normal
+/// or not periodic, and files; the error names the key to change.
 fn waves(scene: &Scene) -> Result<Waves, SimError> {
     let needs_cells = |field: String, reason: &str| {
         let reason =
@@ -268,7 +267,7 @@ mod tests {
     use crate::sim::scene::LayerSpec;
 
     #[test]
-    fn a_soft_layer_widens_the_box() {
+    fn soft_layer_widens_the_box() {
         let mut scene = Scene::azam_2019(32);
         scene.lubricant = None;
         scene.roughness.ball = Roughness::gaussian(1e-9, 40e-6, 1);

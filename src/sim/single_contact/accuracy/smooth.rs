@@ -1,10 +1,10 @@
-//! A smooth contact to a wanted accuracy: box and mesh by the film's own scale, coarse to fine, with an error
-//! estimate.
+//! A smooth contact to a target accuracy: box and mesh from the scale of the film, coarse-to-fine solves, an
+//! error estimate.
 //!
-//! Of three meshes whose cells halve, a number changes by `d_2` and then `d_1`. The estimate is 1.5 times the
-//! largest of `|d_1|/3` and `|d_2|/15`, which are the error at second order, and `|d_1| r/(1 - r)` with
-//! `r = |d_1/d_2|`, which is that at the order observed. The box is as long as its error asks for
-//! ([`InletScale`]), which is added.
+//! Between three meshes whose cells halve, a result changes by `d_2` and then `d_1`. The estimate is 1.5 times
+//! the largest of three errors: `|d_1|/3` and `|d_2|/15` (second order) and `|d_1| r/(1 - r)` with
+//! `r = |d_1/d_2|` (observed order). The error of the box ([`InletScale`]), whose length is chosen for it, is
+//! added.
 
 use super::WorkUsed;
 use crate::error::InputError;
@@ -26,49 +26,48 @@ use crate::sim::single_contact::prepared::prepare_on_grid;
 
 /// Ratio of the cells of one mesh to those of the next finer one.
 const RATIO: f64 = 2.0;
-/// Meshes of one estimate.
+/// Number of meshes of one estimate.
 const LEVELS: u32 = 3;
-/// Cells on either side of the origin are a multiple of this: it stays on a face on every mesh.
+/// Cells on either side of the origin are a multiple of this, so that the origin is a face on every mesh.
 const MULTIPLE: usize = 4;
-/// Largest ratio of successive differences that is extrapolated; beyond it a number is not seen to converge.
+/// Largest ratio of successive differences that is extrapolated; above it a result counts as not converging.
 const SLOWEST: f64 = 0.8;
-/// The estimate over what the differences say.
+/// Safety factor of the estimate.
 const SAFETY: f64 = 1.5;
-/// How much higher a pressure spike may become on finer meshes, of its height: it grew by up to 0.4 when
-/// cells of this size were halved twice.
+/// Growth of a pressure spike on finer meshes over its height; it grew by up to 0.4 when cells of this size
+/// were halved twice.
 const SPIKE_GROWTH: f64 = 0.5;
-/// Exponent of the viscosity under the Hertz pressure from which spikes are that sharp; milder ones are
-/// rounder.
+/// Exponent of the viscosity at the Hertz pressure above which spikes grow that much.
 const SHARP: f64 = 10.0;
-/// A spike is a local maximum of the pressure behind this share of the half-width.
+/// A spike is a local maximum of the pressure downstream of this fraction of the half-width.
 const SPIKE_FROM: f64 = 0.5;
-/// Share of the wanted error that the first mesh aims at.
+/// Fraction of the target error aimed at by the first mesh.
 const AIM: f64 = 0.3;
-/// Share of the wanted error that the box may make.
+/// Fraction of the target error allowed to the box.
 const BOX_SHARE: f64 = 0.5;
-/// Ends of boxes upstream that are tried, in half-widths.
+/// Candidate upstream ends of the box, in half-widths.
 const INLETS: [f64; 6] = [2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
-/// Meshes that are refined once more before what has been reached is handed back.
+/// Most further refinements before the best result is returned.
 const ROUNDS: u32 = 3;
-/// More nodes than these are refused.
+/// Largest number of nodes.
 const MAX_NODES: usize = 1 << 22;
 
 /// Box and cell size in Hertz units.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plan {
-    /// End of the box upstream of the middle, in half-widths.
+    /// Upstream end of the box, in half-widths from the center.
     pub(super) inlet: f64,
-    /// End of the box downstream.
+    /// Downstream end of the box.
     pub(super) outlet: f64,
-    /// End of the box to either side.
+    /// Lateral end of the box.
     pub(super) side: f64,
     /// Cell size of the finest mesh, in half-widths.
     cell: f64,
 }
 
 impl Plan {
-    /// A box that makes the share [`BOX_SHARE`] of the error, and cells whose error of second order, `C h^2`
-    /// of the film `h R/a^2`, is the share [`AIM`] of the accuracy.
+    /// A box whose error is the fraction [`BOX_SHARE`] of the accuracy, and cells whose second-order error `C h^2`
+    /// of the film `h R/a^2` is the fraction [`AIM`].
     pub(super) fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
         let conditions = scene.conditions(0.0)?;
         let viscosity = setup::viscosity(scene, conditions.bulk_temperature)?;
@@ -98,9 +97,8 @@ impl Plan {
         })
     }
 
-    /// The same for a layer on the disc, with which the contact is as wide as that of its substrate, that of
-    /// half-spaces of its own material, or in between: the box of the wider one, the cells of the narrower
-    /// one.
+    /// The plan for a layer on the disc. The half-width is between that of the substrate and that of the layer
+    /// material: the box fits the wider contact, the cells the narrower one.
     pub(super) fn with_layer(self, scene: &Scene) -> Result<Self, InputError> {
         let Some(layer) = scene.layer()? else { return Ok(self) };
         let [own, substrate] = layer.compliances();
@@ -140,7 +138,7 @@ impl Plan {
     }
 }
 
-/// The error of an oil that begins at the edge of a box that is not given.
+/// The error for an oil supply at the edge of a box that is not given.
 fn box_edge() -> InputError {
     InputError::Conflict {
         field: "lubricant.inlet = \"box_edge\"".to_owned(),
@@ -150,21 +148,21 @@ fn box_edge() -> InputError {
     }
 }
 
-/// A smooth contact in a box and on meshes that are picked for an accuracy.
+/// A smooth contact in a box and on meshes chosen for an accuracy.
 pub(in crate::sim) struct MeshChoice {
-    /// The scene, whose grid is replaced mesh by mesh.
+    /// The scene; its grid is replaced on each mesh.
     scene: Scene,
     /// Hertz contact of the smooth bodies.
     hertz: HertzContact,
-    /// Wanted relative error.
+    /// Target relative error.
     accuracy: f64,
-    /// Box and cells to begin with.
+    /// Initial box and cells.
     plan: Plan,
-    /// How much higher a pressure spike may be in the limit, of its height.
+    /// Expected growth of a pressure spike in the limit, over its height.
     spike_growth: f64,
-    /// What may end a solve early.
+    /// Interrupt of the solve.
     interrupt: Option<Interrupt>,
-    /// What is known before anything is solved.
+    /// Warnings before the first solve.
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -189,14 +187,14 @@ impl MeshChoice {
             Ok(Scene { grid: plan.cells(&hertz, level, scene.form.is_line())?, ..scene.clone() })
         };
         let coarsest = prepare_on_grid(&on(LEVELS - 1)?, interrupt, |grid| Ok(ContactState::new(grid)))?;
-        // Finer meshes differ in what they need.
+        // The finer meshes need more memory.
         setup::validate_memory(&on(0)?.grid()?, scene.is_lubricated())?;
         let (scene, interrupt, warnings) = (scene.clone(), interrupt.cloned(), coarsest.warnings);
         Ok(Self { scene, hertz, accuracy, plan, spike_growth, interrupt, warnings })
     }
 
-    /// Solves so that the estimated error of the central film (of the maximum pressure where it is dry) is at
-    /// most the accuracy, or reports the estimate that was reached.
+    /// Solves until the estimated error of the central film (of the maximum pressure if dry) is at most the
+    /// accuracy, or reports the estimate reached.
     pub(super) fn solve(
         self,
         observer: &mut dyn FnMut(&ContactSolution),
@@ -229,20 +227,20 @@ impl MeshChoice {
     }
 }
 
-/// The finest solution, the one before, and the numbers `[central film, minimum film, maximum pressure]` of
+/// The finest solution, the previous one, and the results `[central film, minimum film, maximum pressure]` of
 /// all converged meshes, finest last.
 struct Meshes {
     /// Solution on the finest mesh.
     finest: ContactSolution,
     /// Solution on the mesh before it.
     middle: Option<ContactSolution>,
-    /// Numbers of the converged meshes, the finest last.
+    /// Results of the converged meshes, finest last.
     numbers: Vec<[f64; 3]>,
 }
 
 impl Meshes {
-    /// Solves on all meshes, coarsest first, each from the one before where that converged; `observer` sees the
-    /// solution of each.
+    /// Solves on all meshes, coarsest first, each started from the previous one if it converged. `observer` is
+    /// called with each solution.
     fn solve(
         (scene, interrupt): (&mut Scene, Option<&Interrupt>),
         hertz: &HertzContact,
@@ -262,7 +260,7 @@ impl Meshes {
             if solution.report.status == Status::Converged {
                 numbers.push([solution.film.central, solution.film.minimum, solution.pressure.max]);
             } else {
-                // A mesh too coarse for a film, or one that is not solved, says nothing of the others.
+                // Results of coarser meshes cannot be compared with one that did not converge.
                 numbers.clear();
             }
             middle = previous.replace(solution);
@@ -274,7 +272,7 @@ impl Meshes {
         Ok(Self { finest, middle, numbers })
     }
 
-    /// The finest solution and its estimate, which takes two converged meshes.
+    /// The finest solution and its estimate, which needs two converged meshes.
     fn estimate(self, lubricated: bool, spike_growth: f64) -> (ContactSolution, Option<ErrorEstimate>) {
         let numbers = match self.numbers.as_slice() {
             [.., coarsest, middle, finest] => Some((Some(coarsest), middle, finest)),
@@ -300,8 +298,8 @@ impl Meshes {
     }
 }
 
-/// The highest local maximum of the pressure along the middle row in the outlet half \[Pa\]; zero without
-/// one.
+/// The highest local maximum of the pressure along the middle row in the outlet half \[Pa\]; zero if there is
+/// none.
 fn highest_spike(solution: &ContactSolution) -> f64 {
     let (nx, ny) = (solution.grid.nx(), solution.grid.ny());
     let row = solution.state.pressure.chunks_exact(nx).nth(ny / 2).unwrap_or_default();
@@ -315,11 +313,11 @@ fn highest_spike(solution: &ContactSolution) -> f64 {
 
 /// Estimated relative error of the last of up to three values, see [`ErrorEstimate`].
 fn relative_error(coarsest: Option<f64>, middle: f64, finest: f64) -> f64 {
-    // The error itself is the difference over these at second order.
+    // Second order: the error is the difference divided by these.
     let (by_last, by_before) = (RATIO.powi(2) - 1.0, RATIO.powi(4) - 1.0);
     let last = (finest - middle).abs();
     let error = match coarsest {
-        // Without a third mesh the order is unknown: first order at worst.
+        // Without a third mesh the order is unknown: assume first order.
         None => last,
         Some(coarsest) => {
             let before = (middle - coarsest).abs();

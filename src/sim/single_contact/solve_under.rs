@@ -1,4 +1,4 @@
-//! The contact of bodies as they stand, for curves of worn surfaces.
+//! The contact of worn bodies under other conditions, for Stribeck curves of a history.
 
 use crate::error::InputError;
 use crate::reynolds::{ContactState, require_speed};
@@ -13,9 +13,9 @@ use crate::sim::scene::operating_schedule::Conditions;
 use crate::surface::Offset;
 
 impl MixedLubricationSim {
-    /// Solves the contact of the bodies as they stand under `conditions`, their roughness in its first
-    /// position and at rest against the contact: no squeeze. Nothing is committed and later steps are as
-    /// without the call. Not converging is a status of the report.
+    /// Solves the contact of the present bodies under `conditions`, with their roughness in its first position
+    /// and without squeeze. Nothing is committed; later steps do not depend on this call. A solve that does not
+    /// converge is no error: see the status of the report.
     ///
     /// # Errors
     /// Conditions out of range, a load that the grid or the pressure limit cannot carry.
@@ -40,7 +40,7 @@ impl MixedLubricationSim {
         let squeeze = std::mem::take(&mut self.surface_motion.squeeze);
         let start = self.contact_start.take();
         let film = self.film_heat.as_mut().map(FilmIteration::take_start);
-        let solved = self.solve_standing(conditions);
+        let solved = self.solve_and_measure(conditions);
         if let (Some(heat), Some(film)) = (&mut self.film_heat, film) {
             heat.set_start(film);
         }
@@ -51,8 +51,8 @@ impl MixedLubricationSim {
         solved
     }
 
-    /// Solves and measures the contact under `conditions`; the caller puts back what it changes.
-    fn solve_standing(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
+    /// Solves and measures the contact under `conditions`; the caller restores the changed state.
+    fn solve_and_measure(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
         self.contact.set_conditions(&self.scene, conditions)?;
         let solved = self.solve_at([Offset::default(); 2])?;
         let Self { contact, placement, friction, yielding, laws, state, bodies, .. } = self;
@@ -67,8 +67,8 @@ impl MixedLubricationSim {
 }
 
 impl Conditions {
-    /// Error for a load or a temperature that is not positive, a speed that is negative, or zero where it
-    /// drags a film along.
+    /// Error for a load or a temperature that is not positive, a negative speed, or a lubricated contact at zero
+    /// speed.
     fn validate(&self, lubricated: bool) -> Result<(), InputError> {
         InputError::require_positive("load", self.load)?;
         let (speed, ratio) = (self.motion.entrainment_speed, self.motion.slide_roll_ratio);
