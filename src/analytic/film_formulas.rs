@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::film_regimes::Asymptotes;
+use super::asymptotes::Asymptotes;
 use crate::error::InputError;
 
 /// Operating conditions of a smooth, fully flooded, isothermal point contact, and the film formulas fitted to

@@ -1,6 +1,6 @@
 //! Film thickness formulas for smooth lubricated line contacts.
 
-use super::film_regimes::Asymptotes;
+use super::asymptotes::Asymptotes;
 use crate::error::InputError;
 
 /// Operating conditions of a smooth, fully flooded, isothermal line contact, and the film formulas fitted to

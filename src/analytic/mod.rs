@@ -8,6 +8,7 @@
 //! displacements of uniformly loaded cells. [`ThermalInlet`] and [`ShearedLayer`] give the heat of inlets and
 //! of a sheared film. The module is plain arithmetic, without grids or solvers.
 
+mod asymptotes;
 mod film_formulas;
 mod film_heat;
 mod film_regimes;

@@ -14,43 +14,12 @@ use std::sync::Arc;
 
 use num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::{Fft, FftNum, FftPlanner};
+use rustfft::{Fft, FftPlanner};
 
 use super::parallel::{chunk_count, for_each_chunk};
+use super::precision::Precision;
 use super::spectrum::Spectrum;
 use super::transpose::{BLOCK, transpose};
-
-/// Floating-point type of the transforms; fields are always in double precision.
-pub(crate) trait Precision: FftNum + Default {
-    /// The nearest value of this type.
-    fn rounded(value: f64) -> Self;
-    /// The value in double precision.
-    fn wide(self) -> f64;
-}
-
-impl Precision for f64 {
-    #[inline]
-    fn rounded(value: f64) -> Self {
-        value
-    }
-
-    #[inline]
-    fn wide(self) -> f64 {
-        self
-    }
-}
-
-impl Precision for f32 {
-    #[inline]
-    fn rounded(value: f64) -> Self {
-        value as Self
-    }
-
-    #[inline]
-    fn wide(self) -> f64 {
-        f64::from(self)
-    }
-}
 
 /// Transforms and kernel spectrum, fixed by grid and kernel. Shared by `Arc`.
 #[derive(Clone)]

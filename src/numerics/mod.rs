@@ -21,6 +21,7 @@ mod fft;
 mod gmres;
 mod grid_lu;
 mod parallel;
+mod precision;
 mod real_fft;
 mod spectrum;
 mod transpose;

@@ -3,7 +3,7 @@
 
 use num_complex::Complex;
 
-use super::convolution::Precision;
+use super::precision::Precision;
 
 /// Spectrum of a kernel, column by column (`[kx][ky]`).
 #[derive(Clone)]

@@ -16,12 +16,13 @@
 
 use super::active_set::{Fluid, NodeState, Sample, Solid};
 use super::flow::{Discretisation, NearField};
-use super::problem::{LubricatedContact, interior};
+use super::problem::LubricatedContact;
 use super::state::ContactState;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::Residuals;
+use crate::reynolds::inner_nodes::interior;
 
 /// Relative distance below which a pressure counts as at the limit in the paper's contact. Steps relaxed by `w`
 /// stop short of the limit by `2^-53 / w`, where further ones are lost to rounding; this tolerance holds for `w`

@@ -5,12 +5,13 @@
 //! film exceeds twice the mean dry gap, they are moved apart by that film, with all pressure in the fluid.
 
 use super::coupled::Coupled;
-use super::problem::{LubricatedContact, interior};
+use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::elastic::{DryOutcome, DryProblem, DrySolver};
 use crate::grid::Grid;
 use crate::report::{SolveReport, Status, Work};
+use crate::reynolds::inner_nodes::interior;
 use crate::solver_id::SolverId;
 
 /// Expected film over mean dry gap above which a start has fluid pressure only.

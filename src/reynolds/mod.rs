@@ -21,6 +21,7 @@ mod dry;
 mod evaluation;
 mod flow;
 mod given_film;
+mod inner_nodes;
 mod multigrid;
 mod newton_krylov;
 mod problem;

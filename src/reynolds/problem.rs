@@ -1,6 +1,7 @@
 //! The coupled contact problem.
 
 use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning, require_spin};
+use super::inner_nodes::interior;
 use crate::elastic::DeformationModel;
 use crate::error::{InputError, format_number};
 use crate::grid::Grid;
@@ -382,17 +383,6 @@ impl LubricatedContact<'_> {
         }
         Ok(())
     }
-}
-
-/// Rows without the edge rows; for a line contact, which has no edge rows, its only row.
-pub(super) fn inner_rows(grid: &Grid) -> std::ops::Range<usize> {
-    if grid.ny() == 1 { 0..1 } else { 1..grid.ny().saturating_sub(1) }
-}
-
-/// Indices of the nodes without the outermost ring, or without the two ends of a line contact.
-pub(super) fn interior(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
-    let nx = grid.nx();
-    inner_rows(grid).flat_map(move |j| (1..nx.saturating_sub(1)).map(move |i| j * nx + i))
 }
 
 /// Indices of the outermost nodes; for a line contact the two ends of its row.

@@ -5,14 +5,12 @@
 //! the width of the confidence interval. [`fit_growth_law`] accepts any law that can be constructed from a
 //! slice of constants.
 
-use std::path::PathBuf;
-
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 use statrs::distribution::{ContinuousCDF, StudentsT};
-use thiserror::Error;
 
+use super::fit_error::FitError;
 use super::{FilmGrowthLaw, GrowthCurve};
 use crate::error::InputError;
 use crate::surface_state::SurfaceState;
@@ -27,53 +25,6 @@ const WIDEST_FACTOR: f64 = 10.0;
 const FARTHEST_FACTOR: f64 = 1e4;
 /// Two-sided confidence level.
 const LEVEL: f64 = 0.95;
-
-/// Failure of a fit.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum FitError {
-    /// A value out of range.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// A file could not be read.
-    #[error("{}: {source}", path.display())]
-    Io {
-        /// The file.
-        path: PathBuf,
-        /// Error of the operating system.
-        source: std::io::Error,
-    },
-    /// A row of a table does not fit.
-    #[error("line {line}: {reason}")]
-    Csv {
-        /// Line, from 1.
-        line: u64,
-        /// Description of the error.
-        reason: String,
-    },
-    /// The number of points does not exceed the number of constants.
-    #[error("{points} points cannot determine {constants} constants and their errors")]
-    TooFewPoints {
-        /// Points of the curve.
-        points: usize,
-        /// Constants of the law.
-        constants: usize,
-    },
-    /// The least-squares minimization did not converge.
-    #[error("no best fit was found: {reason}")]
-    NotConverged {
-        /// Status of the minimizer.
-        reason: String,
-    },
-    /// The measurement does not determine a constant.
-    #[error("the measurement does not determine `{constant}`: {reason}")]
-    Undetermined {
-        /// The constant.
-        constant: String,
-        /// The reason.
-        reason: String,
-    },
-}
 
 /// A fitted constant.
 #[derive(Debug, Clone, PartialEq)]

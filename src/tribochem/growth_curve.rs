@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::path::Path;
 
-use super::fit::FitError;
+use super::fit_error::FitError;
 use crate::error::InputError;
 use crate::text_file;
 

@@ -20,6 +20,8 @@ mod film;
 mod first_order;
 #[cfg(feature = "fit")]
 mod fit;
+#[cfg(feature = "fit")]
+mod fit_error;
 mod flash_temperature;
 mod ghanbarzadeh;
 #[cfg(feature = "fit")]
@@ -37,7 +39,9 @@ pub use activation::Activation;
 pub use barrier::ELECTRON_VOLT;
 pub use film::Tribofilm;
 #[cfg(feature = "fit")]
-pub use fit::{FitError, FittedConstant, GrowthFit, fit_growth_law};
+pub use fit::{FittedConstant, GrowthFit, fit_growth_law};
+#[cfg(feature = "fit")]
+pub use fit_error::FitError;
 pub use flash_temperature::{FlashReport, FlashTemperature, estimate_maximum_rise, estimate_rise_under_flux};
 pub use ghanbarzadeh::Ghanbarzadeh;
 #[cfg(feature = "fit")]

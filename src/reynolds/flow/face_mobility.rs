@@ -1,5 +1,6 @@
 //! Pressure flow through the face between two nodes.
 
+use super::direction::Direction;
 use super::node::NodeFlow;
 use super::shear_thinning::ViscosityRatio;
 
@@ -54,17 +55,6 @@ pub enum FaceMobility {
     /// undeformed gap. Resolved films have the mobility of `Wedge`.
     #[default]
     Inlet,
-}
-
-/// Direction of a face relative to the flow.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Direction {
-    /// Along +x: the film of the face over that of the first node, and the inlet factor.
-    Along(f64, f64),
-    /// Along x without entrainment: the mobility is that of a face across.
-    AlongWithoutEntrainment,
-    /// Between rows.
-    Across,
 }
 
 /// Mobility of a face with its derivatives by pressure and film of both nodes, by the ratio of the face film to

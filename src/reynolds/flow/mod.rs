@@ -12,6 +12,7 @@
 
 mod balance;
 mod cavitation;
+mod direction;
 mod discretisation;
 mod entrainment;
 mod face_mobility;

@@ -1,6 +1,6 @@
 //! Shear thinning of the pressure flow.
 
-use super::face_mobility::Direction;
+use super::direction::Direction;
 use crate::error::InputError;
 use crate::lubricant::{Rheology, ThermalRatios, Thinning};
 

@@ -10,7 +10,7 @@ use std::ops::Range;
 use super::node::NodeFlow;
 use crate::error::{InputError, format_number};
 use crate::grid::Grid;
-use crate::reynolds::problem::inner_rows;
+use crate::reynolds::inner_nodes::inner_rows;
 
 /// Rejects a `radius` of spin \[m\] under the key `field` for which surfaces within `grid` would move backwards,
 /// and problems without spin: a line contact, a supplied film, the paper's contact.

@@ -10,7 +10,8 @@ use super::hierarchy::{Hierarchy, expected_film, pair};
 use super::relax::RelaxationFactors;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
-use crate::reynolds::problem::{LubricatedContact, interior};
+use crate::reynolds::inner_nodes::interior;
+use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
 /// Relaxation factors of the sweeps before a coarse-grid correction, for nodes dominated by entrainment. The

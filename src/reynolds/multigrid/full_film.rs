@@ -1,7 +1,8 @@
 //! Prediction of a smooth full film from the problem data, without a solve.
 
 use crate::grid::Grid;
-use crate::reynolds::problem::{LubricatedContact, interior};
+use crate::reynolds::inner_nodes::interior;
+use crate::reynolds::problem::LubricatedContact;
 
 /// Largest variation of the second differences of a smooth gap, in reference films.
 const ROUGHNESS: f64 = 0.1;

@@ -12,7 +12,7 @@ use crate::elastic::{DeformationModel, NEAR};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::flow::Discretisation;
-use crate::reynolds::problem::interior;
+use crate::reynolds::inner_nodes::interior;
 
 /// Influence coefficients along x \[m/Pa\], of a pressure change at one node and of a dipole change that is
 /// subtracted from the four neighbors.

@@ -3,7 +3,7 @@
 //! Nodes that are not filled advect shares of a change: along x to the next column, and across to the next row.
 //! Columns are swept one after the other, each along its flow.
 
-use super::linearization::{FaceFlows, single, store};
+use super::face_flows::{FaceFlows, single, store};
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
 use crate::reynolds::flow::{Discretisation, SweepOrder};

@@ -5,20 +5,18 @@
 //! of which costs convolutions. It is decided here, between two of them, by Newton's method on small [`Window`]s in
 //! which films respond to own pressures alone.
 
-use super::local_elimination::clamp_film_to_contact;
+use super::contact_film::clamp_film_to_contact;
 use super::prediction::Prediction;
 use super::settings::{MOST_REGION_NODES, REGION_SHARE, WINDOW_SIDE};
+use super::weak_coupling::is_weakly_coupled;
 use super::window::Window;
 use crate::grid::Grid;
-use crate::reynolds::active_set::{Fluid, NodeState, Solid};
+use crate::reynolds::active_set::NodeState;
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::flow::{Discretisation, NearField};
-use crate::reynolds::problem::{LubricatedContact, interior};
+use crate::reynolds::inner_nodes::interior;
+use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
-
-/// Pressure flow over entrainment of the own elastic response beyond which pressure flow alone determines the
-/// pressure of a node.
-pub(super) const FREE: f64 = 30.0;
 
 /// Nodes around which windows are placed, and the window.
 #[derive(Debug)]
@@ -110,15 +108,5 @@ impl IsolatedRegions {
         let count = holds_most.count();
         let is_wide = count as f64 > MOST_REGION_NODES * fluid.grid.len() as f64;
         self.order.truncate(if is_wide { 0 } else { count });
-    }
-}
-
-/// Whether the film of node `k` is weakly coupled to its pressure: cavitated, beside solids that touch, or with a
-/// pressure flow that exceeds the entrainment of the own elastic response [`FREE`] times.
-pub(super) fn is_weakly_coupled(fluid: &Discretisation, side: NodeState, k: usize, near: NearField) -> bool {
-    match (side.fluid, side.solid) {
-        (Fluid::Active, Solid::Open) => fluid.flow_ratio(k, near) > FREE,
-        (Fluid::Active | Fluid::Cavitated, _) => true,
-        _ => false,
     }
 }

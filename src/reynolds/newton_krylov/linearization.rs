@@ -5,17 +5,11 @@
 //! balance of an isolated region, the small difference of large flows, keeps its digits.
 
 use super::across::Across;
+use super::face_flows::{FaceFlows, single, store};
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
 use crate::reynolds::flow::Discretisation;
-use crate::reynolds::problem::inner_rows;
-
-/// Bound of derivatives; those of real films are some 1e12.
-const LARGEST: f64 = 1e30;
-
-/// Derivatives of the flow through the faces of one direction: by the pressures of its two nodes, by their
-/// films.
-pub(super) type FaceFlows = [Vec<f32>; 4];
+use crate::reynolds::inner_nodes::inner_rows;
 
 /// The mass balances of all nodes, linearized.
 #[derive(Debug)]
@@ -231,20 +225,6 @@ impl Linearization {
         }
         row
     }
-}
-
-/// Stores the derivatives of a face.
-#[inline]
-pub(super) fn store(flows: &mut FaceFlows, k: usize, derivatives: [f64; 4], stiffness: f64) {
-    flows[0][k] = single(stiffness * derivatives[0]);
-    flows[1][k] = single(stiffness * derivatives[1]);
-    flows[2][k] = single(derivatives[2]);
-    flows[3][k] = single(derivatives[3]);
-}
-
-/// In single precision, clamped to finite numbers.
-pub(super) fn single(value: f64) -> f32 {
-    value.clamp(-LARGEST, LARGEST) as f32
 }
 
 /// Changes of the flows through the faces between nodes `stride` apart.

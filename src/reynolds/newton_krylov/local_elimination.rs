@@ -4,7 +4,7 @@ use super::isolated_regions::IsolatedRegions;
 use super::node::{Material, NodeBalance, NodePrediction};
 use super::prediction::{PredictedNode, Prediction};
 use crate::grid::Grid;
-use crate::reynolds::active_set::{Fluid, Solid};
+use crate::reynolds::active_set::Fluid;
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
@@ -71,25 +71,4 @@ fn eliminate_nodes(
         };
         node.write(k, coupled, state);
     }
-}
-
-/// Clamps the films of contact nodes to the contact film, which they have at a solution, and evaluates the flow
-/// through them.
-///
-/// The linearization error leaves these films some nanometers off. The gap rows correct that; but mobilities go
-/// with the cube of the film, and flows through the films as they are would drain the isolated regions whose
-/// boundaries these nodes form.
-pub(super) fn clamp_film_to_contact(
-    coupled: &mut Coupled,
-    problem: &LubricatedContact<'_>,
-    state: &mut ContactState,
-) {
-    let Some(lubricant) = problem.lubricant else { return };
-    let contact_film = problem.contact_film();
-    for (film, side) in state.film.iter_mut().zip(&coupled.active_set) {
-        if side.solid == Solid::Contact {
-            *film = contact_film;
-        }
-    }
-    coupled.flow(problem, lubricant, &state.fluid_pressure, &state.film);
 }

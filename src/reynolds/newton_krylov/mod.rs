@@ -31,7 +31,9 @@
 mod across;
 mod attempt;
 mod coarse_films;
+mod contact_film;
 mod continuation;
+mod face_flows;
 mod fluid_block;
 mod globalization;
 mod homotopy;
@@ -48,6 +50,7 @@ mod record;
 mod settings;
 mod snapshot;
 mod unknowns;
+mod weak_coupling;
 mod window;
 
 pub(super) use fluid_block::FluidBlock;

@@ -1,8 +1,9 @@
 //! The loop of Newton's method.
 
+use super::contact_film::clamp_film_to_contact;
 use super::globalization::{Globalization, StepControl};
 use super::linear_system::LinearSystem;
-use super::local_elimination::{LocalElimination, clamp_film_to_contact};
+use super::local_elimination::LocalElimination;
 use super::prediction::Prediction;
 use super::record::Record;
 use super::snapshot::Snapshot;

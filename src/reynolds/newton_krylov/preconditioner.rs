@@ -2,10 +2,10 @@
 //! the pressures of the nodes with prescribed films, load balance as a border.
 
 use super::fluid_block::FluidBlock;
-use super::isolated_regions::FREE;
 use super::linearization::Linearization;
 use super::prescribed_displacements::{Inverse, PrescribedDisplacements};
 use super::unknowns::{Linearized, Unknowns};
+use super::weak_coupling::FREE;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::STENCIL;

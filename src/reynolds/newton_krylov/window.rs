@@ -1,10 +1,10 @@
 //! Newton's method on the mass balances of a few cells, everything around held.
 
-use super::isolated_regions::is_weakly_coupled;
 use super::linearization::Linearization;
 use super::node::{Material, NodeBalance, NodePrediction, NodeSolution};
 use super::prediction::Prediction;
 use super::settings::{REGION_SHARE, REGION_STEPS};
+use super::weak_coupling::is_weakly_coupled;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::numerics::{GridLu, STENCIL};

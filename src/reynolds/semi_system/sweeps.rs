@@ -12,7 +12,8 @@ use crate::report::{Residuals, Status, Work};
 use crate::reynolds::active_set::Fluid;
 use crate::reynolds::coupled::{Coupled, reaches_limit};
 use crate::reynolds::dry::hertzian;
-use crate::reynolds::problem::{LubricatedContact, inner_rows};
+use crate::reynolds::inner_nodes::inner_rows;
+use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 

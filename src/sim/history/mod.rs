@@ -18,6 +18,7 @@ pub(in crate::sim) mod identity;
 pub(in crate::sim) mod observer;
 pub(in crate::sim) mod placement;
 pub(in crate::sim) mod record;
+mod record_csv;
 pub(in crate::sim) mod runs;
 pub(in crate::sim) mod simulation;
 pub(in crate::sim) mod squeeze_memory;

@@ -3,7 +3,7 @@
 use super::super::balance::{FilmFlows, FlowBalance};
 use super::super::cavitation::Cavitation;
 use super::{Discretisation, Scheme};
-use crate::reynolds::problem::{inner_rows, interior};
+use crate::reynolds::inner_nodes::{inner_rows, interior};
 
 /// Leading influence coefficients, for implicit relaxation \[m/Pa\].
 #[derive(Debug, Clone, Copy)]

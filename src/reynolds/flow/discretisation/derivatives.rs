@@ -3,8 +3,9 @@
 //! They are exact; tests compare them with finite differences. A new face law or scheme adds its derivatives to
 //! `FaceFlow` or `FaceFilm`. Newton's method assembles its linear system from them, face by face.
 
+use super::super::direction::Direction;
 use super::super::entrainment::DensityRise;
-use super::super::face_mobility::{Direction, FaceMobility};
+use super::super::face_mobility::FaceMobility;
 use super::super::node::NodeFlow;
 use super::{Discretisation, NearField, Scheme};
 

@@ -4,8 +4,9 @@
 //! computed on demand. A face has the index of its first node: the one east of `k` is between `k` and `k + 1`, the
 //! one north of `k` between `k` and `k + nx`.
 
+use super::super::direction::Direction;
 use super::super::entrainment::{DensityRise, FaceFilm};
-use super::super::face_mobility::{Direction, FaceFlow, FaceMobility};
+use super::super::face_mobility::{FaceFlow, FaceMobility};
 use super::super::inlet::Inlet;
 use super::{Discretisation, Scheme};
 

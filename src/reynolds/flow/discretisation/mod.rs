@@ -35,14 +35,16 @@ pub(in crate::reynolds) use own_share::HeldNeighbour;
 pub(in crate::reynolds) use window::MARGIN;
 
 use super::cavitation::Cavitation;
+use super::direction::Direction;
 use super::entrainment::Scheme;
-use super::face_mobility::{Direction, FaceMobility};
+use super::face_mobility::FaceMobility;
 use super::node::NodeFlow;
 use super::shear_thinning::{NodeRatios, ShearThinning};
 use super::spin::Spin;
 use crate::grid::Grid;
 use crate::lubricant::{Lubricant, NodeTemperature, ThermalRatios};
-use crate::reynolds::problem::{LubricatedContact, interior, outermost};
+use crate::reynolds::inner_nodes::interior;
+use crate::reynolds::problem::{LubricatedContact, outermost};
 
 /// Quantities of the nodes and faces at the current pressure and film, and the coefficients of the balance.
 #[derive(Debug, Clone)]

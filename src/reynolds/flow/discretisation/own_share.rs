@@ -3,7 +3,7 @@
 //! Nonlinear elimination solves the equations of one node with fixed neighbors. `held_neighbours` collects the
 //! quantities that do not change in the iteration; `outflow` evaluates the net outflow at a pressure and a film.
 
-use super::super::face_mobility::Direction;
+use super::super::direction::Direction;
 use super::super::node::NodeFlow;
 use super::super::shear_thinning::{NodeRatios, ViscosityRatio};
 use super::super::spin::{entrained, entrained_derivatives};

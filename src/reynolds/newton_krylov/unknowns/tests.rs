@@ -3,7 +3,7 @@
 use super::*;
 use crate::elastic::{DeformationModel, HalfSpace};
 use crate::lubricant::{DowsonHigginson, Lubricant, Rheology, Roelands, ThermalRoelands};
-use crate::reynolds::problem::interior;
+use crate::reynolds::inner_nodes::interior;
 use crate::reynolds::{Cavitation, FaceMobility, Scheme, ShearThinning};
 
 const N: usize = 12;
