@@ -3,7 +3,6 @@
 use crate::elastic::WithLocalCompliance;
 use crate::error::InputError;
 use crate::sim::contact::interrupt::Interruptible;
-use crate::sim::contact::model::ContactModel;
 use crate::sim::scene::Scene;
 
 /// Tribofilms with elastic constants.
@@ -26,7 +25,7 @@ impl CompliantFilms {
     }
 
     /// Adds the deflection of films of thickness `films` \[m\] to `bodies`.
-    fn add_to(
+    pub(in crate::sim) fn add_to(
         &mut self,
         bodies: &mut WithLocalCompliance<Interruptible>,
         [ball, disc]: &[Vec<f64>; 2],
@@ -36,15 +35,5 @@ impl CompliantFilms {
             *c = of_ball * ball + of_disc * disc;
         }
         bodies.set_compliance(&self.compliance)
-    }
-}
-
-impl ContactModel {
-    /// Sets the tribofilms of ball and disc \[m\] as placed in the contact, for the next solves.
-    pub(in crate::sim) fn set_tribofilms(&mut self, films: &[Vec<f64>; 2]) -> Result<(), InputError> {
-        match &mut self.films {
-            Some(compliant) => compliant.add_to(&mut self.deformation, films),
-            None => Ok(()),
-        }
     }
 }

@@ -8,7 +8,7 @@
 
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::lubricant::{LEAST_TEMPERATURE, Saturating, ViscosityLaw};
+use crate::lubricant::{LEAST_TEMPERATURE, Saturating, ViscosityLaw as _};
 use crate::metrics;
 use crate::report::{SolveReport, Status};
 use crate::reynolds::ContactState;
@@ -16,8 +16,7 @@ use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::laws::Laws;
 use crate::sim::contact::mixing::Mixing;
 use crate::sim::contact::model::ContactModel;
-use crate::sim::contact::numbers::ThermalNumbers;
-use crate::sim::contact::solution::is_known;
+use crate::sim::contact::numbers::{ThermalNumbers, is_known};
 use crate::sim::error::SimError;
 use crate::sim::scene::Scene;
 use crate::thermal::{FilmFlow, FilmTemperature, FilmThermal, HeatBalance};
@@ -36,27 +35,6 @@ const STEP: f64 = 0.5;
 
 /// Report of a contact, with the results of its film temperature and the temperature at every node \[K\], if modelled.
 pub(in crate::sim) type Solved = (SolveReport, Option<(ThermalNumbers, Vec<f64>)>);
-
-/// Whether the film temperature is modelled.
-pub(in crate::sim) fn is_modelled(scene: &Scene) -> bool {
-    scene.is_lubricated() && scene.lubricant.is_some_and(|lubricant| lubricant.thermal.is_some())
-}
-
-/// Checks that a modelled film temperature has a viscosity `law` that depends on temperature.
-pub(in crate::sim) fn validate(scene: &Scene, law: Option<&dyn ViscosityLaw>) -> Result<(), InputError> {
-    let asked = scene.lubricant.is_some_and(|lubricant| lubricant.thermal.is_some());
-    match law {
-        Some(law) if asked && law.viscosity_at(0.0, scene.thermal.bulk_temperature).is_none() => {
-            Err(InputError::Conflict {
-                field: "lubricant.thermal".to_owned(),
-                reason: "the viscosity does not know temperature: give lubricant.temperature and lubricant.roelands_s0, or \
-                         another law as lubricant.viscosity"
-                    .to_owned(),
-            })
-        }
-        _ => Ok(()),
-    }
-}
 
 /// Context that is fixed during the solves.
 pub(in crate::sim) struct SolveContext<'a> {

@@ -4,7 +4,7 @@ use crate::analytic::{FilmConditions, FilmMap, FilmRegime, HertzPoint, LineFilmC
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
 use crate::sim::contact::numbers::Moes;
-use crate::sim::contact::setup;
+use crate::sim::contact::oil;
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::{HertzContact, LINE_LENGTH};
 use crate::sim::scene::operating_schedule::Conditions;
@@ -59,7 +59,7 @@ impl Scene {
     /// A form, modulus, load, speed, oil or schedule out of range.
     pub fn formula_film(&self) -> Result<Option<FormulaFilm>, InputError> {
         let conditions = self.conditions(0.0)?;
-        let (hertz, law) = (self.hertz()?, setup::viscosity(self, conditions.bulk_temperature)?);
+        let (hertz, law) = (self.hertz()?, oil::viscosity(self, conditions.bulk_temperature)?);
         let speed = conditions.motion.entrainment_speed;
         formula_film(self, &hertz, speed, law.as_deref(), None)
     }

@@ -2,7 +2,7 @@
 
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
-use crate::sim::contact::friction::mean_fluid_stress;
+use crate::sim::contact::friction_laws::mean_fluid_stress;
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::Conditions;

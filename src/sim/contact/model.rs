@@ -21,7 +21,7 @@ use crate::sim::contact::compliant_films::CompliantFilms;
 use crate::sim::contact::far_field::{FarField, Inlet};
 use crate::sim::contact::formula::{FormulaFilm, formula_film, stated_film};
 use crate::sim::contact::interrupt::{Interrupt, Interruptible};
-use crate::sim::contact::{custom_laws, film_heat, setup};
+use crate::sim::contact::{custom_laws, film_temperature, oil, setup};
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
@@ -158,7 +158,7 @@ impl ContactModel {
         }
         let temperature = conditions.bulk_temperature;
         let viscosity = match custom.viscosity {
-            None => setup::viscosity(scene, temperature)?,
+            None => oil::viscosity(scene, temperature)?,
             Some(law) => {
                 let law = law.at_temperature(temperature).unwrap_or(law);
                 custom_laws::require_viscosity(&*law, temperature)?;
@@ -166,7 +166,7 @@ impl ContactModel {
             }
         };
         let density = match custom.density {
-            None => setup::density(scene, temperature)?,
+            None => oil::density(scene, temperature)?,
             Some(law) => {
                 let law = law.at_temperature(temperature).unwrap_or(law);
                 custom_laws::require_density(&*law)?;
@@ -178,7 +178,7 @@ impl ContactModel {
             _ => None,
         };
         let law = lubricant.as_ref().map(Lubricant::viscosity);
-        film_heat::validate(scene, law)?;
+        film_temperature::validate_film_temperature(scene, law)?;
         let is_flooded = scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::Flooded);
         let inlet = is_flooded.then(|| Inlet::new(scene, has_own_body));
         let formulas = formula_film(scene, &hertz, conditions.motion.entrainment_speed, law, None)?;
@@ -189,7 +189,7 @@ impl ContactModel {
             evaluation: None,
             reuses_buffers: true,
             flow: None,
-            film_flows: film_heat::is_modelled(scene).then(FilmFlows::default),
+            film_flows: film_temperature::models_film_temperature(scene).then(FilmFlows::default),
             grid,
             hertz,
             form_gap,
@@ -212,6 +212,14 @@ impl ContactModel {
             load: conditions.load,
             bulk_temperature: conditions.bulk_temperature,
         })
+    }
+
+    /// Sets the tribofilms of ball and disc \[m\] as placed in the contact, for the next solves.
+    pub(in crate::sim) fn set_tribofilms(&mut self, films: &[Vec<f64>; 2]) -> Result<(), InputError> {
+        match &mut self.films {
+            Some(compliant) => compliant.add_to(&mut self.deformation, films),
+            None => Ok(()),
+        }
     }
 
     /// The Hertz contact under `load` \[N\].

@@ -5,19 +5,17 @@
 
 use crate::error::{InputError, format_number};
 use crate::grid::Grid;
-use crate::lubricant::{
-    Barus, DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Roelands, ThermalRoelands,
-    ViscosityLaw,
-};
+use crate::lubricant::DowsonHigginson;
 use crate::metrics::mean_central_film_in;
 use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule, require_speed};
 use crate::sim::contact::boxed_clone::OwnedSolver;
-use crate::sim::contact::friction::boundary_law;
+use crate::sim::contact::friction_laws::boundary_law;
 pub(in crate::sim) use crate::sim::contact::memory::validate_memory;
+use crate::sim::contact::oil::viscosity_law;
 use crate::sim::contact::warnings::reject_units;
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
-use crate::sim::scene::{FileRoughness, LubricantSpec, Roughness, Scene, SolverKind, ViscositySpec};
+use crate::sim::scene::{FileRoughness, Roughness, Scene, SolverKind};
 #[cfg(feature = "formats")]
 use crate::surface::rescale;
 
@@ -271,65 +269,6 @@ fn measured(file: &FileRoughness, _grid: &Grid, body: &str) -> Result<RoughBody,
         field: format!("roughness.{body}.path"),
         reason: format!("{}: the feature `formats` reads files and is not enabled", file.path.display()),
     }))
-}
-
-/// The viscosity law of the scene at `temperature` \[K\].
-pub(in crate::sim) fn viscosity(
-    scene: &Scene,
-    temperature: f64,
-) -> Result<Option<Box<dyn ViscosityLaw>>, InputError> {
-    let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
-    let law = viscosity_law(&spec, temperature)?;
-    Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
-}
-
-/// The law, checked whether the scene uses it or not.
-fn viscosity_law(spec: &LubricantSpec, temperature: f64) -> Result<Box<dyn ViscosityLaw>, InputError> {
-    Ok(match spec.viscosity {
-        Some(ViscositySpec::Barus(constants)) => {
-            let law = Barus::new(constants.eta0, constants.alpha);
-            Box::new(law.map_err(|error| error.within("lubricant.viscosity"))?)
-        }
-        Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
-        Some(ViscositySpec::ImprovedYasutomi(constants)) => {
-            Box::new(ImprovedYasutomi::new(constants, temperature)?)
-        }
-        None => match (spec.temperature, spec.roelands_s0) {
-            (None, None) => Box::new(roelands(spec)?),
-            (Some(reference), Some(slope)) => {
-                Box::new(ThermalRoelands::new(roelands(spec)?, reference, slope)?)
-            }
-            (given, _) => {
-                let missing = if given.is_none() { "temperature" } else { "roelands_s0" };
-                return Err(InputError::Conflict {
-                    field: format!("lubricant.{missing}"),
-                    reason: "is missing: temperature and roelands_s0 are given together or not at all"
-                        .to_owned(),
-                });
-            }
-        },
-    })
-}
-
-/// Roelands' law by its index or its slope.
-fn roelands(spec: &LubricantSpec) -> Result<Roelands, InputError> {
-    match spec.alpha {
-        None => Roelands::new(spec.eta0, spec.roelands_z, spec.roelands_p0),
-        Some(alpha) => Roelands::from_alpha(spec.eta0, alpha, spec.roelands_z, spec.roelands_p0),
-    }
-}
-
-/// The density law of the scene at `temperature` \[K\].
-pub(in crate::sim) fn density(
-    scene: &Scene,
-    temperature: f64,
-) -> Result<Option<Box<dyn DensityLaw>>, InputError> {
-    let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
-    let law: Box<dyn DensityLaw> = match spec.viscosity {
-        Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
-        _ => Box::new(DowsonHigginson::new(spec.density_a, spec.density_b)?),
-    };
-    Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
 }
 
 /// The solver of the scene.

@@ -102,11 +102,6 @@ impl ContactSolution {
     }
 }
 
-/// Whether a state is valid; that of a solve that diverged may not be.
-pub(in crate::sim) fn is_known(state: &ContactState) -> bool {
-    state.pressure.iter().chain(&state.film).all(|value| value.is_finite())
-}
-
 impl ContactModel {
     /// The solution of a solve with this model; without `friction` it diverged.
     pub(in crate::sim) fn solution(

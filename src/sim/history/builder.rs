@@ -15,7 +15,7 @@ use crate::error::InputError;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
-use crate::sim::contact::friction::boundary_law;
+use crate::sim::contact::friction_laws::boundary_law;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::{ContactModel, CustomComponents, validate_loads};

@@ -16,7 +16,7 @@ use crate::sim::contact::laws::Laws;
 use crate::sim::contact::mesh_error::{self, Mesh, require_half, series_at_nodes};
 use crate::sim::contact::model::{ContactModel, CustomComponents};
 use crate::sim::contact::numbers::Numbers;
-use crate::sim::contact::solution::is_known;
+use crate::sim::contact::numbers::is_known;
 use crate::sim::error::SimError;
 use crate::sim::history::placement::Placement;
 use crate::sim::history::yielding::Yielding;

@@ -8,9 +8,11 @@
 
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::sim::contact::film_heat::{self, FilmIteration};
+use crate::sim::contact::film_heat::FilmIteration;
+use crate::sim::contact::film_temperature;
 use crate::sim::contact::formula::formula_film;
-use crate::sim::contact::friction::{FrictionFields, mean_fluid_stress};
+use crate::sim::contact::friction::FrictionFields;
+use crate::sim::contact::friction_laws::mean_fluid_stress;
 use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::ContactModel;
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
@@ -58,7 +60,7 @@ impl Heat {
             Flash::Auto => estimate >= NEGLIGIBLE_RISE,
         };
         let speeds = operating_schedule.at(0.0).motion.surface_speeds();
-        let needed = is_modelled && !film_heat::is_modelled(scene);
+        let needed = is_modelled && !film_temperature::models_film_temperature(scene);
         let flash = if needed { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
         let zeros = || vec![0.0; contact.grid.len()];
         Ok(Self { is_modelled, flash, estimate, bodies, speeds, sources: zeros(), rises: [zeros(), zeros()] })

@@ -7,7 +7,7 @@ use crate::error::InputError;
 use crate::lubricant::Lubricant;
 use crate::metrics::AreaCorrelation;
 use crate::sim::contact::formula::formula_film;
-use crate::sim::contact::friction::mean_fluid_stress;
+use crate::sim::contact::friction_laws::mean_fluid_stress;
 use crate::sim::contact::heating::{IsothermalFriction, film_rise};
 use crate::sim::contact::numbers::RoughnessNumbers;
 use crate::sim::contact::warnings::{self, OperatingPoint, Warning};

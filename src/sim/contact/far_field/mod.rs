@@ -13,19 +13,16 @@
 
 mod box_error;
 mod hand_over;
-mod outer;
+pub(in crate::sim) mod outer;
 
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::{SolveReport, Status};
 use crate::reynolds::{ContactDefinition, ContactState, EdgePressure, outermost};
-use crate::sim::contact::laws::Laws;
-use crate::sim::contact::model::ContactModel;
 use crate::sim::contact::warnings::Warning;
 use crate::sim::error::SimError;
 use crate::sim::scene::Scene;
 use hand_over::interpolate;
-use outer::OuterContact;
 
 pub(in crate::sim) use box_error::{BoxError, Contact, InletScale};
 
@@ -85,21 +82,21 @@ enum Closure {
 }
 
 /// Conditions of a far field: load, speeds, temperature.
-type Point = [u64; 4];
+pub(in crate::sim) type Point = [u64; 4];
 
 /// The far field of a contact model, updated when its conditions change.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct Inlet {
     /// The scene, for the bodies of the outer contact.
-    scene: Box<Scene>,
+    pub(in crate::sim) scene: Box<Scene>,
     /// Conditions of the last update.
-    point: Option<Point>,
+    pub(in crate::sim) point: Option<Point>,
     /// Film error by the box under these conditions.
-    error: BoxError,
+    pub(in crate::sim) error: BoxError,
     /// Whether an outer contact can be solved: bodies of the scene, no spin, hard contact.
-    has_outer: bool,
+    pub(in crate::sim) has_outer: bool,
     /// Whether the outer contact converged, if needed.
-    is_solved: bool,
+    pub(in crate::sim) is_solved: bool,
 }
 
 impl Inlet {
@@ -142,72 +139,6 @@ impl Inlet {
             "take a wider box, or say that the oil begins at its edge (lubricant.inlet = \"box_edge\")"
                 .to_owned(),
         ))
-    }
-}
-
-impl ContactModel {
-    /// Computes the far field under the present conditions if the box cuts the inlet.
-    pub(in crate::sim) fn find_far_field(&mut self, laws: &Laws) -> Result<(), SimError> {
-        let Some(mut inlet) = self.inlet.take() else { return Ok(()) };
-        let found = self.find_far_field_of(&mut inlet, laws);
-        self.inlet = Some(inlet);
-        found
-    }
-
-    fn find_far_field_of(&mut self, inlet: &mut Inlet, laws: &Laws) -> Result<(), SimError> {
-        let motion = self.motion;
-        let point =
-            [self.hertz.force, motion.entrainment_speed, motion.slide_roll_ratio, self.bulk_temperature]
-                .map(f64::to_bits);
-        if inlet.point == Some(point) {
-            return Ok(());
-        }
-        self.far_field = None;
-        inlet.is_solved = true;
-        inlet.error = BoxError::NONE;
-        let Some(scale) = self.inlet_scale(&inlet.scene)? else { return Ok(()) };
-        if !self.is_starved(&inlet.scene)? {
-            inlet.error = scale.error_on(&self.grid);
-        }
-        if !inlet.error.is_small() {
-            if inlet.has_outer && scale.is_held_by(&self.grid) {
-                let outer = OuterContact::new(&inlet.scene, self, scale.film())?;
-                self.far_field = outer.solve(&self.grid, laws, scale.film())?;
-            }
-            inlet.is_solved = self.far_field.is_some();
-        }
-        inlet.point = Some(point);
-        Ok(())
-    }
-}
-
-impl ContactModel {
-    /// Lengths and pressures of the flooded contact of `scene` under the present conditions; `None` without a lubricant.
-    fn inlet_scale(&self, scene: &Scene) -> Result<Option<InletScale>, InputError> {
-        let (Some(oil), Some(formulas)) = (&self.lubricant, self.formulas) else { return Ok(None) };
-        let (hertz, viscosity) = (&self.hertz, oil.viscosity());
-        let entrainment_speed = self.motion.entrainment_speed;
-        InletScale::new(&Contact { scene, hertz, viscosity, entrainment_speed, formulas }).map(Some)
-    }
-
-    /// The inlet under the present conditions; `None` if the oil supply is at the edge of the box or inside.
-    pub(in crate::sim) fn flooded_inlet(&self) -> Result<Option<FloodedInlet>, InputError> {
-        let Some(inlet) = &self.inlet else { return Ok(None) };
-        let Some(scale) = self.inlet_scale(&inlet.scene)? else { return Ok(None) };
-        if self.is_starved(&inlet.scene)? {
-            return Ok(None);
-        }
-        let error = scale.error_on(&self.grid);
-        Ok(Some(FloodedInlet { film_error: error.ambient, box_holds_it: error.is_small() }))
-    }
-
-    /// Whether the supplied film meets the surfaces within the box: there is no pressure upstream of it.
-    fn is_starved(&self, scene: &Scene) -> Result<bool, InputError> {
-        let Some(supply) = self.supplied_film else { return Ok(false) };
-        let mut edge = vec![0.0; self.grid.len()];
-        scene.form.gap_into(&self.grid, &mut edge)?;
-        let least = edge.iter().step_by(self.grid.nx()).copied().fold(f64::INFINITY, f64::min);
-        Ok(least > supply)
     }
 }
 

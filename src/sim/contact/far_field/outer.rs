@@ -10,6 +10,7 @@ use crate::lubricant::Lubricant;
 use crate::report::Status;
 use crate::reynolds::{ContactState, FaceMobility, FilmFlows, NewtonKrylov, StoppingRule, outermost};
 use crate::sim::contact::film_heat::{self, FilmIteration, SolveContext};
+use crate::sim::contact::film_temperature;
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::interrupt::Interruptible;
 use crate::sim::contact::laws::Laws;
@@ -49,7 +50,7 @@ const LARGEST_PRESSURE: f64 = 1e9;
 const POINTS: u32 = 64;
 
 /// The outer contact of an inner one.
-pub(super) struct OuterContact<'a> {
+pub(in crate::sim) struct OuterContact<'a> {
     scene: &'a Scene,
     model: ContactModel,
     far: RigidParaboloids,
@@ -65,7 +66,7 @@ pub(super) struct OuterContact<'a> {
 
 impl<'a> OuterContact<'a> {
     /// For the smooth bodies of `inner` under its conditions, with a central film of about `film` \[m\].
-    pub(super) fn new(scene: &'a Scene, inner: &ContactModel, film: f64) -> Result<Self, InputError> {
+    pub(in crate::sim) fn new(scene: &'a Scene, inner: &ContactModel, film: f64) -> Result<Self, InputError> {
         let is_line = scene.form.is_line();
         let curvatures = curvatures(scene);
         let grid = outer_grid(inner, curvatures, film, is_line)?;
@@ -120,7 +121,7 @@ impl<'a> OuterContact<'a> {
             evaluation: None,
             reuses_buffers: true,
             flow: None,
-            film_flows: film_heat::is_modelled(scene).then(FilmFlows::default),
+            film_flows: film_temperature::models_film_temperature(scene).then(FilmFlows::default),
             inlet: None,
             far_field: None,
         };
@@ -137,7 +138,7 @@ impl<'a> OuterContact<'a> {
     }
 
     /// Solves it, from pressures for a film of about `film` \[m\]; `None` if a solve does not converge.
-    pub(super) fn solve(
+    pub(in crate::sim) fn solve(
         mut self,
         inner: &Grid,
         laws: &Laws,

@@ -7,14 +7,18 @@
 mod bodies;
 mod contact;
 mod friction;
+mod known;
+mod moes;
 mod stress;
 mod thermal;
 mod wear;
 
 pub use bodies::{DepthNumbers, PlasticNumbers, RoughnessNumbers};
 pub(in crate::sim) use contact::Numbers;
-pub use contact::{ContactNumbers, FilmNumbers, Moes, PressureNumbers};
+pub use contact::{ContactNumbers, FilmNumbers, PressureNumbers};
 pub use friction::FrictionNumbers;
+pub(in crate::sim) use known::is_known;
+pub use moes::Moes;
 pub use stress::StressNumbers;
 pub use thermal::ThermalNumbers;
 pub use wear::WearNumbers;

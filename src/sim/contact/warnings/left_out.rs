@@ -2,7 +2,7 @@
 
 use super::{Warning, short};
 use crate::lubricant::ViscosityLaw;
-use crate::sim::contact::film_heat;
+use crate::sim::contact::film_temperature;
 use crate::sim::contact::heating::{IsothermalFriction, film_rise};
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
@@ -46,7 +46,7 @@ pub(in crate::sim) fn left_out(scene: &Scene, point: &OperatingPoint<'_>) -> Vec
 
 /// An isothermal film with large frictional heating.
 fn isothermal(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
-    let law = point.viscosity.filter(|_| !film_heat::is_modelled(scene))?;
+    let law = point.viscosity.filter(|_| !film_temperature::models_film_temperature(scene))?;
     let [boundary, fluid] = point.friction;
     let friction = IsothermalFriction { boundary, fluid, film: point.film };
     let rise = film_rise(scene, point.hertz, &point.conditions, law, friction).ok()?.film;

@@ -14,7 +14,7 @@ use super::quantity::{
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
 use crate::metrics::height_statistics;
-use crate::sim::contact::setup;
+use crate::sim::contact::oil;
 use crate::sim::scene::{BODIES, LubricantSpec, Scene, Schedule, TribofilmSpec, WearLawSpec};
 
 /// Rq above which heights are rejected if the contact is narrower \[m\].
@@ -187,7 +187,7 @@ fn viscosity_law(scene: &Scene) -> Vec<Entry> {
     let of_its_own = scene.lubricant.is_some_and(|oil| oil.viscosity.is_some());
     let conditions = scene.conditions(0.0).ok().filter(|_| of_its_own);
     let law =
-        conditions.and_then(|conditions| setup::viscosity(scene, conditions.bulk_temperature).ok().flatten());
+        conditions.and_then(|conditions| oil::viscosity(scene, conditions.bulk_temperature).ok().flatten());
     let Some(law) = law else { return Vec::new() };
     vec![
         entry("lubricant.viscosity", law.viscosity(0.0), VISCOSITY),

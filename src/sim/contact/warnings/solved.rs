@@ -4,7 +4,7 @@ use super::left_out::{OperatingPoint, left_out};
 use super::quantity::FRICTION;
 use super::{Warning, short};
 use crate::sim::contact::error_estimate::ErrorEstimate;
-use crate::sim::contact::setup;
+use crate::sim::contact::oil;
 use crate::sim::contact::solution::ContactSolution;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::{GridSpec, Scene};
@@ -73,7 +73,7 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
     };
     let mut list = of_contact(scene, &seen, solution.error_estimate.is_some());
     list.extend(conditions.iter().flat_map(|&conditions| {
-        let law = setup::viscosity(scene, conditions.bulk_temperature).ok().flatten();
+        let law = oil::viscosity(scene, conditions.bulk_temperature).ok().flatten();
         let point = OperatingPoint {
             hertz: &solution.hertz,
             conditions,

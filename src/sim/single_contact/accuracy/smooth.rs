@@ -16,6 +16,7 @@ use crate::sim::contact::far_field::{Contact, InletScale};
 use crate::sim::contact::formula::formula_film;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::mesh_error;
+use crate::sim::contact::oil;
 use crate::sim::contact::setup;
 use crate::sim::contact::solution::ContactSolution;
 use crate::sim::contact::warnings::Warning;
@@ -70,7 +71,7 @@ impl Plan {
     /// of the film `h R/a^2` is the fraction [`AIM`].
     pub(super) fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
         let conditions = scene.conditions(0.0)?;
-        let viscosity = setup::viscosity(scene, conditions.bulk_temperature)?;
+        let viscosity = oil::viscosity(scene, conditions.bulk_temperature)?;
         let speed = conditions.motion.entrainment_speed;
         let formulas = formula_film(scene, hertz, speed, viscosity.as_deref(), None)?;
         let (Some(viscosity), Some(formulas)) = (viscosity.as_deref(), formulas) else {
@@ -181,7 +182,7 @@ impl MeshChoice {
         let plan = Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?;
         let temperature = scene.conditions(0.0)?.bulk_temperature;
         let exponent =
-            setup::viscosity(scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.pressure);
+            oil::viscosity(scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.pressure);
         let spike_growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);
         let on = |level| -> Result<Scene, InputError> {
             Ok(Scene { grid: plan.cells(&hertz, level, scene.form.is_line())?, ..scene.clone() })
