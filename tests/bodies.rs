@@ -126,7 +126,7 @@ fn materials_out_of_range_are_named() {
     assert!(error.contains("elastic.equivalent_modulus"), "{error}");
     let error = refused(&|scene| (scene.materials.ball, scene.materials.disc) = (steel, steel));
     assert!(
-        error.contains("elastic.equivalent_modulus = 2.2967e11") && error.contains("one of both"),
+        error.contains("elastic.equivalent_modulus = 2.2967e11") && error.contains("only one"),
         "{error}"
     );
     let error = refused(&|scene| scene.materials.disc.hardness = Some(f64::NAN));

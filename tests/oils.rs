@@ -321,7 +321,7 @@ fn scene_files_select_laws_and_report_their_errors() {
         (oil("[friction]\ncarreau_exponent = 0.5\n"), ["friction.carreau_stress", "missing"]),
         (
             oil("[friction]\ncarreau_stress = 5e6\ncarreau_exponent = 0.5\neyring_stress = 5e6\n"),
-            ["eyring_stress", "one of both"],
+            ["eyring_stress", "only one"],
         ),
     ] {
         let error = refused(&text);

@@ -122,15 +122,15 @@ impl CorrelationTable {
     }
 
     /// Linear between the pairs, constant outside.
-    fn needed(&self, asked: f64) -> f64 {
-        let share = (asked - self.pairs[0].0) * self.shares_per_unit;
+    fn needed(&self, requested: f64) -> f64 {
+        let share = (requested - self.pairs[0].0) * self.shares_per_unit;
         let last = self.pairs.len() - 1;
         // conversion of a negative value gives 0
         let start = self.starts[(share as usize).min(last)].saturating_sub(1);
-        let further = self.pairs[start..].iter().take_while(|pair| pair.0 < asked).count();
+        let further = self.pairs[start..].iter().take_while(|pair| pair.0 < requested).count();
         let high = (start + further).clamp(1, last);
         let ((x0, y0), (x1, y1)) = (self.pairs[high - 1], self.pairs[high]);
-        y0 + (y1 - y0) * ((asked - x0) / (x1 - x0)).clamp(0.0, 1.0)
+        y0 + (y1 - y0) * ((requested - x0) / (x1 - x0)).clamp(0.0, 1.0)
     }
 }
 
@@ -180,10 +180,10 @@ mod tests {
         assert!((table.needed(lowest.0 - 0.1) - lowest.1).abs() < 1e-15);
         assert!((table.needed(2.0) - highest.1).abs() < 1e-15);
         for k in 0..10_000 {
-            let asked = lowest.0 + (highest.0 - lowest.0) * f64::from(k) / 9999.0;
-            let high = pairs.iter().position(|pair| pair.0 >= asked).unwrap_or(pairs.len() - 1).max(1);
-            let needed = table.needed(asked);
-            assert!((pairs[high - 1].1..=pairs[high].1 + 1e-15).contains(&needed), "{asked}: {needed}");
+            let requested = lowest.0 + (highest.0 - lowest.0) * f64::from(k) / 9999.0;
+            let high = pairs.iter().position(|pair| pair.0 >= requested).unwrap_or(pairs.len() - 1).max(1);
+            let needed = table.needed(requested);
+            assert!((pairs[high - 1].1..=pairs[high].1 + 1e-15).contains(&needed), "{requested}: {needed}");
         }
     }
 }

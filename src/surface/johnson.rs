@@ -183,7 +183,7 @@ impl Johnson {
     /// Correlations of normal deviates for given ones of the transformed deviates: pairs `(requested, needed)`, increasing,
     /// for needed correlations from -1 to 1.
     ///
-    /// With the Hermite coefficients `a_n` of the curve, `asked = sum a_n^2 n! needed^n / sum a_n^2 n!`.
+    /// With the Hermite coefficients `a_n` of the curve, `requested = sum a_n^2 n! needed^n / sum a_n^2 n!`.
     pub(super) fn correlations(&self) -> Vec<(f64, f64)> {
         let mut shares = [0.0; TERMS];
         for (deviate, weight) in quadrature() {
@@ -197,12 +197,12 @@ impl Johnson {
             }
         }
         let norm: f64 = shares.iter().skip(1).map(|a| a * a).sum();
-        let asked = |needed: f64| {
+        let requested = |needed: f64| {
             let terms = shares.iter().skip(1).rev();
             terms.fold(0.0, |sum, a| (sum + a * a) * needed) / norm
         };
         let needed = (0..TABLE).map(|k| 2.0 * k as f64 / (TABLE - 1) as f64 - 1.0);
-        let mut table: Vec<(f64, f64)> = needed.map(|needed| (asked(needed), needed)).collect();
+        let mut table: Vec<(f64, f64)> = needed.map(|needed| (requested(needed), needed)).collect();
         // strongly skewed curves have a lower bound of the correlation: smaller requests get the bound
         let middle = TABLE / 2;
         let falling = (0..middle).rev().take_while(|&k| table[k].0 < table[k + 1].0).count();

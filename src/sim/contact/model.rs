@@ -450,7 +450,7 @@ fn checked_deformation(
         Some(model) if model.grid() != grid => {
             return Err(SimError::Input(InputError::Conflict {
                 field: "deformation".to_owned(),
-                reason: "the model lives on another grid than the scene".to_owned(),
+                reason: "the grid of the model is not that of the scene".to_owned(),
             }));
         }
         Some(model) => model,

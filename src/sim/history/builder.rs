@@ -275,7 +275,7 @@ impl SimBuilder {
         }
     }
 
-    /// The first part of the contact, but for heights and starts, that was put in place of one of the scene.
+    /// The first custom component of the contact, apart from heights and starts.
     pub(in crate::sim) fn custom_contact(&self) -> Option<&'static str> {
         let custom = &self.custom;
         [
@@ -290,7 +290,7 @@ impl SimBuilder {
         .find_map(|(part, given)| given.then_some(part))
     }
 
-    /// The first part that was put in place of one of the scene.
+    /// The first custom component, height or start.
     pub(in crate::sim) fn custom_part(&self) -> Option<&'static str> {
         let [ball, disc] = &self.heights;
         let [ball_start, disc_start] = &self.starts;
@@ -315,7 +315,7 @@ impl SimBuilder {
         self.custom_part().or_else(|| others.into_iter().find_map(|(part, given)| given.then_some(part)))
     }
 
-    /// Checks the scene and makes the simulation, with the physics that the scene asks for.
+    /// Checks the scene and makes the simulation, with the physics of the scene.
     ///
     /// # Errors
     /// A scene or heights that do not fit.

@@ -1,7 +1,7 @@
-//! The contact of a step on half the cells along each side, which estimates the errors of its numbers.
+//! The contact of a step on half the cells along each side, to estimate the errors of its results.
 //!
-//! Heights of both bodies on the large cells are the Fourier series of those of the step, tribofilms and plastic depths
-//! are linear between its nodes. The contact is solved from the dry one, as that of a step is.
+//! Heights of both bodies on the large cells are evaluated from their Fourier series; tribofilms and plastic depths are
+//! interpolated linearly. Like that of a step, the solve starts from the dry contact.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -24,7 +24,7 @@ use crate::sim::scene::Scene;
 use crate::sim::scene::operating_schedule::Conditions;
 use crate::surface::Heights;
 
-/// A solved contact: its model, how the solve ended, its state, its shear stresses, and pressure limits if any.
+/// A solved contact: its model, the report, its state, its shear stresses, and pressure limits if any.
 pub(in crate::sim) type Solved<'a> =
     (&'a ContactModel, &'a SolveReport, &'a ContactState, &'a FrictionFields, Option<&'a [f64]>);
 
@@ -41,10 +41,10 @@ pub(in crate::sim) struct HalfMesh {
 }
 
 impl HalfMesh {
-    /// That of the histories of `scene`, whose faces are those of `model`; `None` where the scene asks for no estimate.
+    /// For histories of `scene`, with the face mobility of `model`; `None` if the scene requests no estimate.
     ///
     /// # Errors
-    /// A scene that has no solution on half its cells.
+    /// A scene that cannot be solved on half its cells.
     pub(in crate::sim) fn new(
         scene: &Scene,
         model: &ContactModel,
@@ -55,7 +55,7 @@ impl HalfMesh {
         }
         require_half(scene, "solver.estimate")?;
         let mut scene = Scene { grid: scene.grid.with_counts(|n| n.div_ceil(2)), ..scene.clone() };
-        // The outer rows of the step decide on the edge of the box.
+        // Contact at the edge of the box is checked in the step itself.
         scene.solver.edge_contact = true;
         let custom = CustomComponents { interrupt, ..CustomComponents::default() };
         let mut half = ContactModel::new(&scene, custom)?;
@@ -72,11 +72,11 @@ impl HalfMesh {
         }))
     }
 
-    /// Estimated errors of the numbers of a contact that was solved under `conditions` between bodies as `placement`
-    /// has them; `None` where the contact on half the cells does not converge.
+    /// Estimated errors of a contact solved under `conditions` between the bodies of `placement`; `None` if the contact on
+    /// half the cells does not converge.
     ///
     /// # Errors
-    /// Those of a solve, an interrupt included.
+    /// The errors of a solve, including interrupts.
     pub(in crate::sim) fn estimate(
         &mut self,
         laws: &Laws,
@@ -107,7 +107,7 @@ impl HalfMesh {
         Ok(mesh_error::estimate(&coarse, &mesh(fine)?))
     }
 
-    /// Brings the bodies of `fine` onto the large cells.
+    /// Transfers the bodies of `fine` to the large cells.
     fn place(&mut self, fine: &Placement, model: &ContactModel) -> Result<(), SimError> {
         let (from, to) = (model.grid, self.model.grid);
         let heights = model.form_gap.iter().zip(&fine.gap).map(|(form, gap)| form - gap).collect();
@@ -125,7 +125,7 @@ impl HalfMesh {
     }
 }
 
-/// The view of a solved contact that estimates compare.
+/// A solved contact as input of the estimates.
 fn mesh<'a>((model, report, state, friction, limit): Solved<'a>) -> Result<Mesh<'a>, InputError> {
     let numbers = Numbers::of(model, state, Some(friction), limit, [0.0; 2])?;
     Ok(Mesh {

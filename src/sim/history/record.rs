@@ -71,9 +71,9 @@ pub struct StepRecord {
     pub tribofilm: DepthNumbers,
     /// Plastic depth and volume.
     pub plastic: PlasticNumbers,
-    /// Estimated errors of the numbers of the contact; none where the scene does not ask for them
-    /// ([`estimate`](crate::sim::scene::SolverSpec::estimate)), with squeeze, and where the contact on half the cells was
-    /// not solved.
+    /// Estimated errors of the contact. `None` if not requested
+    /// ([`estimate`](crate::sim::scene::SolverSpec::estimate)), with squeeze, or if the contact on half the cells did not
+    /// converge.
     pub error_estimate: Option<ErrorEstimate>,
     /// Number of roughness positions tried until the contact converged.
     pub attempts: u32,

@@ -64,5 +64,8 @@ impl StepRecord {
 
 /// The error for a cell whose text does not fit its column.
 fn unreadable(column: &str, cell: &str) -> InputError {
-    InputError::Conflict { field: column.to_owned(), reason: format!("`{cell}` is no value of this column") }
+    InputError::Conflict {
+        field: column.to_owned(),
+        reason: format!("`{cell}` is not a value of this column"),
+    }
 }

@@ -115,7 +115,7 @@ pub struct MixedLubricationSim {
     pub(in crate::sim) friction: FrictionFields,
     /// Temperature of the film; `None` for an isothermal film.
     pub(in crate::sim) film_heat: Option<FilmIteration>,
-    /// The contact on half the cells; none where the scene asks for no errors.
+    /// The contact on half the cells; `None` if the scene requests no errors.
     pub(in crate::sim) half_mesh: Option<Box<HalfMesh>>,
     /// Buffers on the nodes of a body.
     buffers: StepBuffers,
@@ -248,8 +248,8 @@ impl MixedLubricationSim {
         Ok(record)
     }
 
-    /// Estimated errors of the numbers of the contact that was solved under `conditions`; `None` where the scene asks
-    /// for none, with squeeze, and where the contact on half the cells does not converge.
+    /// Estimated errors of the contact solved under `conditions`. `None` if not requested, with squeeze, or if the contact
+    /// on half the cells does not converge.
     fn estimate_errors(
         &mut self,
         conditions: &Conditions,

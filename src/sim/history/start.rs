@@ -138,7 +138,7 @@ impl BodyStart {
         Err(InputError::Conflict {
             field: format!("{name} start"),
             reason: format!(
-                "it lives on {}, the scene on {} or elsewhere in the box",
+                "its grid has {}, that of the scene {}, or another position",
                 words(&self.grid),
                 words(grid)
             ),

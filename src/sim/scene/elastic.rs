@@ -177,7 +177,7 @@ impl Scene {
                 (Some(value), None) | (None, Some(value)) => Ok(value),
                 (None, None) => conflict(format!("is missing, and so is materials.disc.{disc_key}")),
                 (Some(_), Some(value)) => {
-                    conflict(format!("materials.disc.{disc_key} = {value:e} is given too; give one of both"))
+                    conflict(format!("materials.disc.{disc_key} = {value:e} is given too; give only one"))
                 }
             }
         };

@@ -114,7 +114,7 @@ impl Scene {
         // All inputs are in range: only the result can be out of range.
         turned.map_err(|error| InputError::Conflict {
             field: format!("{field} = {value:?}"),
-            reason: format!("the Hertz contact under it is beyond the range of numbers ({error})"),
+            reason: format!("the values of its Hertz contact are not finite ({error})"),
         })
     }
 }

@@ -197,7 +197,7 @@ impl Scene {
             Some(modulus) => Err(InputError::Conflict {
                 field: format!("{field} = {given:e}"),
                 reason: format!(
-                    "the moduli of the materials are given too, E' = {modulus:e} Pa; give one of both"
+                    "the moduli of the materials are given too, E' = {modulus:e} Pa; give only one"
                 ),
             }),
         }

@@ -123,7 +123,7 @@ impl FrictionSpec {
             (_, None, Some(_)) => return conflict("carreau_stress", "is missing, carreau_exponent is given"),
             (_, Some(_), None) => return conflict("carreau_exponent", "is missing, carreau_stress is given"),
             (Some(_), Some(_), Some(_)) => {
-                return conflict("carreau_stress", "friction.eyring_stress is given too; give one of both");
+                return conflict("carreau_stress", "friction.eyring_stress is given too; give only one");
             }
         };
         match self.limiting_stress_coefficient {

@@ -13,7 +13,7 @@ use crate::error::InputError;
 /// let mut scene = Scene::azam_2019(32);
 /// scene.lubricant = None;
 /// scene.stress = Some(StressSpec::default());
-/// let stress = solve_contact(&scene)?.stress.ok_or("none was asked for")?;
+/// let stress = solve_contact(&scene)?.stress.ok_or("not requested")?;
 /// assert!(stress.von_mises.stress > stress.orthogonal_shear.stress);
 /// assert!(stress.yield_ratio.is_none()); // no strength given
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -73,7 +73,7 @@ impl StressSpec {
         };
         match (self.poisson, scene.materials.disc.poisson(), scene.elastic.layer) {
             (Some(_), Some(_), _) => {
-                conflict("poisson and materials.disc.poisson are given; give one of both")
+                conflict("poisson and materials.disc.poisson are both given; give only one")
             }
             (Some(_), None, Some(_)) => {
                 conflict("poisson is given, but elastic.layer has the ratios of layer and disc")

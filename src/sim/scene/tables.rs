@@ -121,9 +121,7 @@ impl GridTable {
                 ("grows", grows),
             ];
             return match given.iter().find(|(_, present)| *present) {
-                Some((key, _)) => {
-                    Err(format!("`accuracy` stands in place of nx, ny, x and y, not with `{key}`"))
-                }
+                Some((key, _)) => Err(format!("`accuracy` replaces nx, ny, x and y; remove `{key}`")),
                 None => Ok(GridSpec::Accuracy { accuracy }),
             };
         }

@@ -74,7 +74,7 @@ pub struct ExpectedFilm {
     pub load_ratio_range: Option<[f64; 2]>,
     /// Friction coefficients of solids (at that load ratio or the smallest one) and of the isothermal fluid.
     pub friction: [f64; 2],
-    /// Least and largest sum of both over `load_ratio_range`.
+    /// Smallest and largest sum of both over `load_ratio_range`.
     pub friction_range: Option<[f64; 2]>,
     /// Mean temperature rise of the film by this friction \[K\].
     pub film_rise: f64,

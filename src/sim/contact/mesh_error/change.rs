@@ -47,7 +47,7 @@ pub(in crate::sim) struct Mesh<'a> {
     pub(in crate::sim) pressure: PressureNumbers,
     pub(in crate::sim) contact: ContactNumbers,
     pub(in crate::sim) friction: FrictionNumbers,
-    /// Coefficient of friction of solid contact.
+    /// Boundary friction coefficient.
     pub(in crate::sim) boundary_friction: f64,
     /// Relative error of the central film by the box.
     pub(in crate::sim) box_error: f64,

@@ -1,7 +1,7 @@
-//! Errors of the mesh, from the same contact on larger cells.
+//! Errors of the mesh, estimated from the same contact on larger cells.
 //!
-//! `surfaces` evaluates heights on other cells of the same box, `change` turns the difference of two solutions into
-//! estimated errors of the finer one. `docs/errors.md` has the evidence.
+//! `surfaces` evaluates heights on other cells of the same box, `change` estimates the errors of the finer of two
+//! solutions from their difference. `docs/errors.md` has the evidence.
 
 mod change;
 mod surfaces;
@@ -13,10 +13,10 @@ use crate::sim::scene::Scene;
 pub(in crate::sim) use change::{BOX_MINIMUM, Mesh, estimate};
 pub(in crate::sim) use surfaces::{Surfaces, series_at_nodes};
 
-/// Fewest cells along a side that have a half.
+/// Fewest cells along a side that can be halved.
 const FEWEST: usize = 10;
 
-/// Refuses scenes that have no solution on half their cells, which their `field` needs.
+/// Rejects scenes that cannot be solved on half their cells, as their key `field` requires.
 pub(in crate::sim) fn require_half(scene: &Scene, field: &str) -> Result<(), InputError> {
     if scene.is_lubricated() && scene.solver.contact == ContactDefinition::UnifiedReynolds {
         return Err(InputError::Conflict {

@@ -15,7 +15,7 @@ use crate::sim::scene::Scene;
 /// use stribeck::sim::{Scene, scene::StressSpec, solve_contact};
 /// let mut scene = Scene::azam_2019(32);
 /// scene.stress = Some(StressSpec::default());
-/// let stress = solve_contact(&scene)?.stress.ok_or("not asked for")?;
+/// let stress = solve_contact(&scene)?.stress.ok_or("not requested")?;
 /// assert!(stress.von_mises.stress > stress.orthogonal_shear.stress);
 /// assert!(stress.layer.is_none() && stress.yield_ratio.is_none());
 /// # Ok::<(), Box<dyn std::error::Error>>(())

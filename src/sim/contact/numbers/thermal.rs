@@ -12,7 +12,7 @@
 ///     known.with_thermal(Some(FilmThermal::default()))
 /// });
 /// let record = MixedLubricationSim::builder(scene).build()?.step(10.0)?;
-/// let thermal = record.thermal.ok_or("not asked for")?;
+/// let thermal = record.thermal.ok_or("not modelled")?;
 /// assert!(thermal.film_temperature_max > 353.15 && thermal.change <= 5e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

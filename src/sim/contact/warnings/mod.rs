@@ -1,4 +1,4 @@
-//! What is unlikely to be meant, or to hold, in a scene and its solution: said, never silent, never fatal.
+//! Warnings about implausible values and results, and about models outside of their valid range. They are never fatal.
 //! One function a check.
 
 mod given_film;
@@ -69,10 +69,9 @@ impl fmt::Display for Warning {
 }
 
 impl Scene {
-    /// What is unlikely to be meant or to hold in this scene, as far as it is known without solving: values
-    /// of another unit, a box or cells that do not hold the contact, models beyond their limits. What is an
-    /// error is none of the warnings; roughness from files is looked at when it is read. `docs/errors.md`
-    /// lists the checks.
+    /// Warnings about this scene that need no solve: values in a wrong unit, a box or cells that do not resolve the
+    /// contact, models outside of their valid range. Errors are not repeated as warnings; roughness from files is checked
+    /// when it is read. `docs/errors.md` lists the checks.
     pub fn warnings(&self) -> Vec<Warning> {
         let mut list = plausible::values(self);
         list.extend(limits::of_models(self));
@@ -83,7 +82,7 @@ impl Scene {
     }
 }
 
-/// Those of `heights` \[m\] that a file or a caller has given for the `body`.
+/// Warnings about `heights` \[m\] of the `body` from a file or a caller.
 pub(in crate::sim) fn of_heights(
     body: usize,
     heights: &[f64],

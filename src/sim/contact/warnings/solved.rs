@@ -19,7 +19,7 @@ const WIDEST_CELL: f64 = 2.0;
 const DEEPEST_WEAR: f64 = 0.1;
 /// Fields of that warning, for ball and disc.
 pub(in crate::sim) const DEEP_WEAR: [&str; 2] = ["wear.ball_max", "wear.disc_max"];
-/// Share of the load on solids from which on smooth bodies touch.
+/// Load ratio above which smooth bodies count as touching.
 const SMOOTH_TOUCHING: f64 = 0.01;
 /// Largest estimated error without a warning.
 const LARGEST_ERROR: f64 = 0.1;
@@ -38,7 +38,7 @@ pub(in crate::sim) struct SolvedContact<'a> {
     pub(in crate::sim) central_film: f64,
     /// Friction over the load.
     pub(in crate::sim) friction: f64,
-    /// Share of the load on solids.
+    /// Load ratio.
     pub(in crate::sim) load_ratio: f64,
     /// Largest temperature of the film and bulk temperature \[K\], if the film temperature is modelled.
     pub(in crate::sim) temperatures: Option<[f64; 2]>,
@@ -114,7 +114,7 @@ fn coarse_inlet(scene: &Scene, seen: &SolvedContact<'_>) -> Option<Warning> {
     })
 }
 
-/// Smooth bodies that touch: the film is as thin as the contact film, which then decides on the share of solids.
+/// Smooth bodies that touch: the film is the contact film, which then determines the load ratio.
 fn touching(scene: &Scene, load_ratio: f64) -> Option<Warning> {
     (load_ratio > SMOOTH_TOUCHING).then(|| {
         Warning::new(

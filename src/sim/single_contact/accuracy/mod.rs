@@ -1,8 +1,7 @@
 //! Error estimates of a single contact from coarser meshes, and meshes for a target accuracy.
 //!
 //! `smooth` picks box and meshes of a smooth contact and extrapolates over three of them. `rough` halves
-//! cells until the change is small. `change` estimates the errors of a mesh from its difference to a coarser
-//! one. `surfaces` evaluates heights on any mesh. The factors and their evidence are in `docs/errors.md`.
+//! cells until the estimated errors are small (`contact::mesh_error`). `docs/errors.md` has the evidence.
 
 mod rough;
 mod smooth;
@@ -50,7 +49,7 @@ impl Meshes {
             (GridSpec::Accuracy { .. }, Some(_)) => {
                 return Err(SimError::Input(InputError::Conflict {
                     field: "solver.accuracy".to_owned(),
-                    reason: "it is for given cells, grid.accuracy stands in its place".to_owned(),
+                    reason: "it is for given cells; remove it, as grid.accuracy is given".to_owned(),
                 }));
             }
             (GridSpec::Accuracy { accuracy }, None) => {

@@ -1,7 +1,8 @@
 //! A rough contact on meshes of halved cells: the surface is its Fourier series, errors are estimated.
 //!
 //! A rough contact has no order of convergence: asperities touch on one mesh and not on the next. Errors of
-//! a mesh are estimated from the change since the mesh of half as many cells along each side ([`change`]);
+//! a mesh are estimated from the change since the mesh of half as many cells along each side
+//! (`contact::mesh_error`);
 //! meshes are refined until the estimate is below the accuracy. The Fourier series of the surface is
 //! evaluated on each mesh, so the surface is the same on all. Without given cells, box and cells follow from
 //! the spectra of the random surfaces, which must have a shortest wavelength.
@@ -119,7 +120,8 @@ fn on(
     prepare_heights(scene, interrupt, surfaces.on(&scene.grid()?)?)
 }
 
-/// The largest of the errors that an accuracy of a rough contact bounds.
+/// The largest of the four errors that an accuracy of a rough contact bounds, without the part caused by the box, which
+/// does not depend on the cells.
 fn largest(estimate: &ErrorEstimate, solution: &ContactSolution) -> f64 {
     let FrictionNumbers { coefficient, fluid, .. } = solution.friction;
     let by_box = estimate.film_by_box;
