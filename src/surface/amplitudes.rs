@@ -5,9 +5,9 @@
 //! between its cut-offs. For heights with a Johnson distribution it is the density of the normal deviates that they
 //! are computed from.
 
-use super::generate::Autocorrelation;
+use super::autocorrelation::Autocorrelation;
 use super::johnson::Johnson;
-use super::random::RandomShape;
+use super::random_shape::RandomShape;
 use crate::grid::Grid;
 use crate::numerics::{RealFft2, map_lines};
 

@@ -16,6 +16,8 @@
 
 mod amplitudes;
 mod arrangement;
+mod autocorrelation;
+mod deviates;
 mod error;
 mod form;
 mod form_removal;
@@ -29,26 +31,31 @@ mod measured;
 mod motion;
 mod patch;
 mod random;
+mod random_shape;
 mod resample;
 mod rescale;
 mod roughness_motion;
+mod roughness_spec;
 mod round_form;
 mod self_affine;
 mod subcell;
 mod texture;
 
+pub use autocorrelation::Autocorrelation;
 pub use error::SurfaceError;
 pub use form::Form;
 #[cfg(feature = "formats")]
 pub use format::{ReadOptions, read, read_bytes, read_with, write_npy, write_text, write_x3p};
-pub use generate::{Autocorrelation, RoughnessSpec, generate};
+pub use generate::generate;
 pub use measured::Heights;
 pub use motion::Offset;
 pub(crate) use motion::{add_blended, copy_shifted};
-pub use random::{HeightDistribution, HeightScale, RandomShape, RandomSurface};
+pub use random::{HeightDistribution, HeightScale, RandomSurface};
+pub use random_shape::RandomShape;
 #[cfg(feature = "formats")]
 pub(crate) use rescale::rescale;
 pub use roughness_motion::{Advected, AlongTrack, Fixed, PointRevisit, RandomShift, RoughnessMotion};
+pub use roughness_spec::RoughnessSpec;
 pub use self_affine::{SelfAffine, Synthesis};
 pub use subcell::FourierShift;
 pub(crate) use subcell::blend_shifted;

@@ -7,8 +7,9 @@ use num_complex::Complex64;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::amplitudes::{Amplitudes, Mean};
+use super::deviates::{cipher, phase};
 use super::johnson::Johnson;
-use super::random::{RandomShape, cipher, phase};
+use super::random_shape::RandomShape;
 use super::self_affine::SelfAffine;
 use crate::error::InputError;
 use crate::grid::Grid;

@@ -1,15 +1,14 @@
 //! Random surfaces: a shape across the plane, a distribution and a scale of heights.
 
-use num_complex::Complex64;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::amplitudes::{Amplitudes, Mean};
-use super::generate::{Autocorrelation, RoughnessSpec};
+use super::deviates::{cipher, phase};
 use super::johnson::Johnson;
 use super::patch;
+use super::random_shape::RandomShape;
 use super::rescale::rescale;
+use super::roughness_spec::RoughnessSpec;
 use super::self_affine::{SelfAffine, Synthesis};
 use crate::boundary::Boundary;
 use crate::error::InputError;
@@ -44,40 +43,6 @@ pub enum HeightScale {
     Exact,
     /// The mean square over all seeds, as for patches of one large surface; single surfaces scatter about it.
     Ensemble,
-}
-
-/// Lateral shape of a random surface.
-///
-/// # Examples
-///
-/// ```
-/// use stribeck::surface::{Autocorrelation, RandomShape, RandomSurface};
-/// use stribeck::{Grid, metrics::height_statistics};
-/// // A ground surface: scratches along x, five times as long as wide.
-/// let ground = RandomShape::Correlated {
-///     autocorrelation: Autocorrelation::Exponential,
-///     length_x: 100e-6,
-///     length_y: 20e-6,
-/// };
-/// let grid = Grid::centred(128, 128, 2e-6, 2e-6)?;
-/// let heights = RandomSurface::new(ground, 200e-9, 3).generate(&grid)?;
-/// assert!((height_statistics(&heights)?.sq / 200e-9 - 1.0).abs() < 1e-9);
-/// # Ok::<(), stribeck::InputError>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum RandomShape {
-    /// White noise filtered to an autocorrelation function (Hu and Tonder 1992).
-    Correlated {
-        /// Shape of the autocorrelation function.
-        autocorrelation: Autocorrelation,
-        /// Length along x at which the autocorrelation is 10 % \[m\], at most the size of the grid.
-        length_x: f64,
-        /// Length along y at which the autocorrelation is 10 % \[m\].
-        length_y: f64,
-    },
-    /// Self-affine between two wavelengths.
-    SelfAffine(SelfAffine),
 }
 
 /// Distribution of the heights.
@@ -239,12 +204,6 @@ impl RandomSurface {
     }
 }
 
-/// A value of the same phase on the unit circle; 1 for zero.
-pub(super) fn phase(value: Complex64) -> Complex64 {
-    let size = value.norm_sqr().sqrt();
-    if size > 0.0 { value / size } else { Complex64::new(1.0, 0.0) }
-}
-
 impl RandomShape {
     /// Checks shape, distribution and scale against `grid`.
     fn validate(&self, rq: f64, seed: u64, grid: &Grid) -> Result<(), InputError> {
@@ -258,13 +217,6 @@ impl RandomShape {
             }
         }
     }
-}
-
-/// The random generator of the deviates.
-pub(super) fn cipher(seed: u64) -> ChaCha8Rng {
-    let mut bytes = [0; 32];
-    bytes[..8].copy_from_slice(&seed.to_le_bytes());
-    ChaCha8Rng::from_seed(bytes)
 }
 
 /// Normal deviates in the order of the field.

@@ -1,6 +1,6 @@
 //! Remedies for text that is almost a quantity.
 
-use super::Dimension;
+use super::dimension::Dimension;
 #[cfg(feature = "serde")]
 use super::spelling::split;
 use super::tables::Scale;

@@ -4,95 +4,19 @@
 //! SI units. A power of ten changes the decimal exponent of the text, so that `9.525 mm` and `9.525e-3` are the same
 //! double. A new unit is an entry in `tables`; a new dimension is a variant, its table and its name.
 
+mod dimension;
 mod hints;
 mod spelling;
 mod tables;
 
+pub use self::dimension::Dimension;
 #[cfg(feature = "serde")]
 pub(crate) use self::hints::toml_line;
 use self::spelling::{plain, split, times_power_of_ten};
 use self::tables::Scale::{Plus, Ten, Times};
 use crate::error::{InputError, escape};
 
-/// Dimension of a quantity, which determines its valid units.
-///
-/// ```
-/// use stribeck::units::Dimension;
-/// assert_eq!(Dimension::Length.parse("radius", "9.525 mm")?, 9.525e-3);
-/// assert_eq!(Dimension::Temperature.parse("temperature", "80 degC")?, 353.15);
-/// let error = Dimension::Length.parse("radius", "9.5 kg").unwrap_err();
-/// assert_eq!(error.to_string(), "radius = \"9.5 kg\": `kg` is no unit of length; m, cm, mm, um, nm or in would do");
-/// # Ok::<(), stribeck::InputError>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Dimension {
-    /// In m.
-    Length,
-    /// In Pa.
-    Pressure,
-    /// In 1/Pa: pressure-viscosity coefficients, constants of the density.
-    InversePressure,
-    /// In Pa/m: hardening.
-    PressurePerLength,
-    /// In N.
-    Force,
-    /// In N/m: load of a line contact.
-    ForcePerLength,
-    /// In m/s.
-    Speed,
-    /// In Pa s.
-    Viscosity,
-    /// In s.
-    Time,
-    /// In 1/s.
-    Rate,
-    /// In K.
-    Temperature,
-    /// In W/(m K).
-    Conductivity,
-    /// In m^2/s.
-    Diffusivity,
-    /// In J: activation energies, per molecule.
-    Energy,
-    /// In m^3: activation volumes.
-    Volume,
-    /// In m^3/J: wear per frictional energy.
-    VolumePerEnergy,
-    /// In rad.
-    Angle,
-    /// In J/(m^3 K): volumetric heat capacity.
-    HeatCapacity,
-    /// Dimensionless; its unit is per cent, or none.
-    Ratio,
-}
-
 impl Dimension {
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Length => "length",
-            Self::Pressure => "pressure",
-            Self::InversePressure => "one over pressure",
-            Self::PressurePerLength => "pressure per length",
-            Self::Force => "force",
-            Self::ForcePerLength => "force per length",
-            Self::Speed => "speed",
-            Self::Viscosity => "viscosity",
-            Self::Time => "time",
-            Self::Rate => "one over time",
-            Self::Temperature => "temperature",
-            Self::Conductivity => "thermal conductivity",
-            Self::Diffusivity => "diffusivity",
-            Self::Energy => "energy",
-            Self::Volume => "volume",
-            Self::VolumePerEnergy => "volume per energy",
-            Self::Angle => "angle",
-            Self::HeatCapacity => "heat capacity of a volume",
-            Self::Ratio => "ratio",
-        }
-    }
-
     /// The valid units, the SI one first; other spellings (`µm`, `°C`, `Pa*s`, `Pa.s`, `GPa^-1`, `GPa-1`, `mm2/N`) are
     /// accepted too.
     pub fn unit_names(self) -> impl Iterator<Item = &'static str> {

@@ -1,7 +1,7 @@
 //! The units of each dimension. Messages offer the first of a line; the others are alternative spellings in the form of
 //! [`plain`](super::spelling::plain).
 
-use super::Dimension;
+use super::dimension::Dimension;
 
 /// Conversion of a number to SI units.
 #[derive(Debug, Clone, Copy)]
