@@ -131,52 +131,17 @@ impl ContactModel {
     /// # Errors
     /// A scene out of range; a grid that does not contain the contact; components that do not fit the scene.
     pub(in crate::sim) fn new(scene: &Scene, custom: CustomComponents) -> Result<Self, SimError> {
-        setup::validate(scene)?;
-        let grid = scene.grid()?;
+        let grid = validated_grid(scene)?;
         let operating_schedule = OperatingSchedule::new(scene)?;
         let conditions = operating_schedule.at(0.0);
         let hertz = scene.hertz()?;
-        setup::validate_box(&grid, &hertz, scene.form.is_line())?;
-        if let Some(radius) = scene.motion.spin_radius {
-            let supplied = scene.lubricant.is_some_and(|lubricant| lubricant.supplied_film.is_some());
-            let is_paper = scene.solver.contact == ContactDefinition::UnifiedReynolds;
-            require_spin(("motion.spin_radius", radius), &grid, supplied, is_paper)?;
-        }
-        setup::validate_film_cutoff(scene)?;
-        setup::validate_memory(&grid, scene.is_lubricated())?;
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
         let has_own_body = custom.deformation.is_some();
         let deformation = checked_deformation(scene, grid, custom.deformation)?;
         let deformation = WithLocalCompliance::new(Interruptible::new(deformation, custom.interrupt));
-        let missing = [("viscosity", custom.viscosity.is_some()), ("density", custom.density.is_some())];
-        if let (None, Some((law, _))) = (&scene.lubricant, missing.iter().find(|(_, given)| *given)) {
-            return Err(SimError::Input(InputError::Conflict {
-                field: (*law).to_owned(),
-                reason: "a law is given, but the scene has no lubricant".to_owned(),
-            }));
-        }
-        let temperature = conditions.bulk_temperature;
-        let viscosity = match custom.viscosity {
-            None => oil::viscosity(scene, temperature)?,
-            Some(law) => {
-                let law = law.at_temperature(temperature).unwrap_or(law);
-                custom_laws::require_viscosity(&*law, temperature)?;
-                Some(law)
-            }
-        };
-        let density = match custom.density {
-            None => oil::density(scene, temperature)?,
-            Some(law) => {
-                let law = law.at_temperature(temperature).unwrap_or(law);
-                custom_laws::require_density(&*law)?;
-                Some(law)
-            }
-        };
-        let lubricant = match (scene.is_lubricated(), viscosity, density) {
-            (true, Some(viscosity), Some(density)) => Some(Lubricant::from_boxed(viscosity, density)),
-            _ => None,
-        };
+        let laws = (custom.viscosity, custom.density);
+        let lubricant = lubricant(scene, conditions.bulk_temperature, laws)?;
         let law = lubricant.as_ref().map(Lubricant::viscosity);
         film_temperature::validate_film_temperature(scene, law)?;
         let is_flooded = scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::Flooded);
@@ -396,6 +361,59 @@ impl ContactModel {
         self.flow = measured?;
         Ok(report)
     }
+}
+
+/// The grid of a scene whose values are in range and whose box contains the contact.
+fn validated_grid(scene: &Scene) -> Result<Grid, SimError> {
+    setup::validate(scene)?;
+    let grid = scene.grid()?;
+    setup::validate_box(&grid, &scene.hertz()?, scene.form.is_line())?;
+    if let Some(radius) = scene.motion.spin_radius {
+        let supplied = scene.lubricant.is_some_and(|lubricant| lubricant.supplied_film.is_some());
+        let is_paper = scene.solver.contact == ContactDefinition::UnifiedReynolds;
+        require_spin(("motion.spin_radius", radius), &grid, supplied, is_paper)?;
+    }
+    setup::validate_film_cutoff(scene)?;
+    setup::validate_memory(&grid, scene.is_lubricated())?;
+    Ok(grid)
+}
+
+/// Custom laws of viscosity and density.
+type CustomOil = (Option<Box<dyn ViscosityLaw>>, Option<Box<dyn DensityLaw>>);
+
+/// The lubricant at `temperature` \[K\], by custom laws or those of the scene; `None` for a dry scene.
+fn lubricant(
+    scene: &Scene,
+    temperature: f64,
+    (viscosity, density): CustomOil,
+) -> Result<Option<Lubricant>, InputError> {
+    let given = [("viscosity", viscosity.is_some()), ("density", density.is_some())];
+    if let (None, Some((law, _))) = (&scene.lubricant, given.iter().find(|(_, given)| *given)) {
+        return Err(InputError::Conflict {
+            field: (*law).to_owned(),
+            reason: "a law is given, but the scene has no lubricant".to_owned(),
+        });
+    }
+    let viscosity = match viscosity {
+        None => oil::viscosity(scene, temperature)?,
+        Some(law) => {
+            let law = law.at_temperature(temperature).unwrap_or(law);
+            custom_laws::require_viscosity(&*law, temperature)?;
+            Some(law)
+        }
+    };
+    let density = match density {
+        None => oil::density(scene, temperature)?,
+        Some(law) => {
+            let law = law.at_temperature(temperature).unwrap_or(law);
+            custom_laws::require_density(&*law)?;
+            Some(law)
+        }
+    };
+    Ok(match (scene.is_lubricated(), viscosity, density) {
+        (true, Some(viscosity), Some(density)) => Some(Lubricant::from_boxed(viscosity, density)),
+        _ => None,
+    })
 }
 
 /// The report of a custom solver with the evaluated residuals of its state. Films, plastic depths and masses of the

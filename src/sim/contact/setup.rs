@@ -24,15 +24,7 @@ const LARGEST_CUTOFF: f64 = 1e-3;
 
 /// Checks all values of the scene except form, load, grid and roughness, used or not.
 pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
-    let speed = scene.motion.entrainment_speed;
-    if scene.is_lubricated() && scene.schedule.entrainment_speed.is_none() {
-        require_speed("motion.entrainment_speed", speed)?;
-    }
-    let requirement =
-        "finite and >= 0: the surfaces move along +x; mirror the scene in x for the other direction";
-    InputError::require(speed.is_finite() && speed >= 0.0, "motion.entrainment_speed", speed, requirement)?;
-    let ratio = scene.motion.slide_roll_ratio;
-    InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")?;
+    validate_motion(scene)?;
     let friction = scene.friction;
     boundary_law(&friction, None)?;
     if let (Some(thickness), None) = (friction.covering_thickness, friction.film_coefficient) {
@@ -53,31 +45,8 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;
     InputError::require_positive("thermal.diffusivity", thermal.diffusivity)?;
-    if let Some(plastic) = scene.plastic {
-        InputError::require_positive("plastic.hardness", plastic.hardness)?;
-        if let Some(film) = plastic.film_hardness {
-            InputError::require_positive("plastic.film_hardness", film)?;
-        }
-        if let Some(modulus) = plastic.hardening_modulus {
-            InputError::require_non_negative("plastic.hardening_modulus", modulus)?;
-        }
-    }
-    if let Some(spec) = scene.lubricant {
-        viscosity_law(&spec, thermal.bulk_temperature)?;
-        DowsonHigginson::new(spec.density_a, spec.density_b)?;
-        if let Some(properties) = spec.thermal {
-            properties.validate().map_err(|error| error.within("lubricant.thermal"))?;
-        }
-        if let Some(alpha) = spec.formula_alpha {
-            InputError::require_positive("lubricant.formula_alpha", alpha)?;
-        }
-        if let Some(film) = spec.supplied_film {
-            InputError::require_positive("lubricant.supplied_film", film)?;
-            if scene.is_lubricated() {
-                scene.cavitation().require_conserved("lubricant.supplied_film", film)?;
-            }
-        }
-    }
+    validate_plastic(scene)?;
+    validate_lubricant(scene)?;
     if let Some(spec) = scene.tribofilm {
         spec.law()?;
     }
@@ -92,6 +61,52 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
     }
     stopping_rule(scene)?;
     reject_units(scene)
+}
+
+/// Checks speeds of the surfaces.
+fn validate_motion(scene: &Scene) -> Result<(), InputError> {
+    let speed = scene.motion.entrainment_speed;
+    if scene.is_lubricated() && scene.schedule.entrainment_speed.is_none() {
+        require_speed("motion.entrainment_speed", speed)?;
+    }
+    let requirement =
+        "finite and >= 0: the surfaces move along +x; mirror the scene in x for the other direction";
+    InputError::require(speed.is_finite() && speed >= 0.0, "motion.entrainment_speed", speed, requirement)?;
+    let ratio = scene.motion.slide_roll_ratio;
+    InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")
+}
+
+/// Checks the pressure limit.
+fn validate_plastic(scene: &Scene) -> Result<(), InputError> {
+    let Some(plastic) = scene.plastic else { return Ok(()) };
+    InputError::require_positive("plastic.hardness", plastic.hardness)?;
+    if let Some(film) = plastic.film_hardness {
+        InputError::require_positive("plastic.film_hardness", film)?;
+    }
+    if let Some(modulus) = plastic.hardening_modulus {
+        InputError::require_non_negative("plastic.hardening_modulus", modulus)?;
+    }
+    Ok(())
+}
+
+/// Checks the laws of the oil and its supply.
+fn validate_lubricant(scene: &Scene) -> Result<(), InputError> {
+    let Some(spec) = scene.lubricant else { return Ok(()) };
+    viscosity_law(&spec, scene.thermal.bulk_temperature)?;
+    DowsonHigginson::new(spec.density_a, spec.density_b)?;
+    if let Some(properties) = spec.thermal {
+        properties.validate().map_err(|error| error.within("lubricant.thermal"))?;
+    }
+    if let Some(alpha) = spec.formula_alpha {
+        InputError::require_positive("lubricant.formula_alpha", alpha)?;
+    }
+    if let Some(film) = spec.supplied_film {
+        InputError::require_positive("lubricant.supplied_film", film)?;
+        if scene.is_lubricated() {
+            scene.cavitation().require_conserved("lubricant.supplied_film", film)?;
+        }
+    }
+    Ok(())
 }
 
 /// Checks a target relative error of the mesh.
