@@ -1,6 +1,6 @@
 //! Settings of Newton's method: the public ones, and constants with the evidence for them.
 //!
-//! `cargo run --release --example ablation` switches the public ones off, halves or doubles them in turn and prints
+//! `cargo run --release -p studies --bin ablation` switches the public ones off, halves or doubles them in turn and prints
 //! what that costs; trials of the constants are in `journal/newton.md`.
 
 use crate::error::InputError;

@@ -162,7 +162,7 @@ impl Case {
             _ if self.rq <= 0.0 => Roughness::None,
             Group::Exponential => random(Autocorrelation::Exponential),
             Group::Measured if body == 1 => Roughness::File(FileRoughness {
-                path: PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/surfaces/cut.txt"),
+                path: PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/surfaces/cut.txt"),
                 rq: Some(rq),
             }),
             _ => random(Autocorrelation::Gaussian),

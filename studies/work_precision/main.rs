@@ -2,8 +2,8 @@
 //! of the example `custom_solver` among them; errors of wear and film of a history against its steps.
 //!
 //! ```text
-//! cargo run --release --example work_precision                      # docs/work_precision.{csv,svg}, docs/time_steps.csv, minutes
-//! cargo run --release --example work_precision -- --quick --out DIR # coarse grids, seconds
+//! cargo run --release -p studies --bin work_precision                      # docs/work_precision.{csv,svg}, docs/time_steps.csv, minutes
+//! cargo run --release -p studies --bin work_precision -- --quick --out DIR # coarse grids, seconds
 //! ```
 //!
 //! Errors are relative differences to a finer grid, solved to 1e-8. Seconds are those of one solve from a
@@ -13,11 +13,11 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
-#[path = "../command/mod.rs"]
+#[path = "../../examples/command/mod.rs"]
 mod command;
-#[path = "../command/quick.rs"]
+#[path = "../../examples/command/quick.rs"]
 mod quick;
-#[path = "../custom_solver/steepest_descent.rs"]
+#[path = "../../examples/custom_solver/steepest_descent.rs"]
 mod steepest_descent;
 mod stepping;
 
@@ -46,7 +46,7 @@ use stribeck::surface::Form;
 use stribeck::{Grid, SolveReport, Status};
 
 const USAGE: &str = "\
-usage: cargo run --release --example work_precision -- [--quick] [--out DIR]
+usage: cargo run --release -p studies --bin work_precision -- [--quick] [--out DIR]
 
   --quick    coarse grids and few tolerances
   --out DIR  where to write work_precision.csv and .svg and time_steps.csv (default docs)

@@ -3,10 +3,10 @@
 //! film at which solids touch and over the speed, for both definitions of contact and both pressure flows.
 //!
 //! ```text
-//! cargo run --release --example mesh_study                   # up to 512 x 512 cells
-//! cargo run --release --example mesh_study -- --finest 1024  # one more
-//! cargo run --release --example mesh_study -- --quick        # coarse grids alone
-//! cargo run --release --example mesh_study -- --reference    # the limits of small contacts
+//! cargo run --release -p studies --bin mesh_study                   # up to 512 x 512 cells
+//! cargo run --release -p studies --bin mesh_study -- --finest 1024  # one more
+//! cargo run --release -p studies --bin mesh_study -- --quick        # coarse grids alone
+//! cargo run --release -p studies --bin mesh_study -- --reference    # the limits of small contacts
 //! ```
 //!
 //! The surfaces are generated on the coarsest grid and brought to the others by their Fourier series.
@@ -15,7 +15,7 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
-#[path = "../command/mod.rs"]
+#[path = "../../examples/command/mod.rs"]
 mod command;
 mod contact;
 mod figure;
@@ -31,7 +31,7 @@ use contact::Row;
 use lexopt::prelude::*;
 
 const USAGE: &str = "\
-usage: cargo run --release --example mesh_study -- [--quick | --reference] [--finest CELLS] [--out DIR]
+usage: cargo run --release -p studies --bin mesh_study -- [--quick | --reference] [--finest CELLS] [--out DIR]
 
   --quick         grids of 32 and 64 cells alone
   --reference     limits of the contact cut down to an eighth, by two discretisations

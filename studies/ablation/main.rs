@@ -1,10 +1,10 @@
 //! Cost of each setting of Newton's method: switched off, halved or doubled in turn.
 //!
 //! ```text
-//! cargo run --release --example ablation                    # everything over all scenes; hours
-//! cargo run --release --example ablation -- --every 12      # every twelfth scene of the stability map
-//! cargo run --release --example ablation -- --change step_bound  # the changes whose names contain "step_bound"
-//! cargo run --release --example ablation -- --quick         # a few coarse scenes
+//! cargo run --release -p studies --bin ablation                    # everything over all scenes; hours
+//! cargo run --release -p studies --bin ablation -- --every 12      # every twelfth scene of the stability map
+//! cargo run --release -p studies --bin ablation -- --change step_bound  # the changes whose names contain "step_bound"
+//! cargo run --release -p studies --bin ablation -- --quick         # a few coarse scenes
 //! ```
 //!
 //! Three groups of contacts: rough reference contacts at 128 x 128 from the dry contact, scenes of the
@@ -13,7 +13,7 @@
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
 mod changes;
-#[path = "../command/mod.rs"]
+#[path = "../../examples/command/mod.rs"]
 mod command;
 #[path = "../stability_map/scenes.rs"]
 mod scenes;
@@ -35,7 +35,7 @@ use stribeck::sim::{MixedLubricationSim, Scene};
 use stribeck::surface::Advected;
 
 const USAGE: &str = "\
-usage: cargo run --release --example ablation -- [--quick] [--every N] [--seeds N] [--change NAME] [--out DIR]
+usage: cargo run --release -p studies --bin ablation -- [--quick] [--every N] [--seeds N] [--change NAME] [--out DIR]
 
   --quick        a few coarse scenes and changes
   --every N      every Nth scene of the stability map (default 1)

@@ -11,10 +11,10 @@ pub(crate) const USAGE: &str = "\
 The experiment of Azam et al. (2019) with and without tribofilm: which of the paper's statements hold, and which of them survive
 other seeds, meshes, steps, boxes and contact films.
 
-usage: cargo run --release --example reproduce -- [options]
+usage: cargo run --release -p studies --bin reproduce -- [options]
 
   --quick        half the cells, ten steps of 10 s, one seed
-  --case NAME    this variant alone (see examples/reproduce/cases.rs)
+  --case NAME    this variant alone (see studies/reproduce/cases.rs)
   --seeds N      at most so many roughness seeds of each variant (default 8)
   --tables       runs nothing: tables and figures of the histories that are complete
   --threads N    histories at a time (default 2)

@@ -3,23 +3,23 @@
 //! films, and as published.
 //!
 //! ```text
-//! cargo run --release --example reproduce                                   # all variants: hours
-//! cargo run --release --example reproduce -- --case default --seeds 2       # one variant
-//! cargo run --release --example reproduce -- --tables                       # tables of what is complete
-//! cargo run --release --example reproduce -- --quick --out target/quick --report target/quick
-//! cargo run --release --example reproduce -- --help
+//! cargo run --release -p studies --bin reproduce                                   # all variants: hours
+//! cargo run --release -p studies --bin reproduce -- --case default --seeds 2       # one variant
+//! cargo run --release -p studies --bin reproduce -- --tables                       # tables of what is complete
+//! cargo run --release -p studies --bin reproduce -- --quick --out target/quick --report target/quick
+//! cargo run --release -p studies --bin reproduce -- --help
 //! ```
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
 mod cases;
-#[path = "../chart/mod.rs"]
+#[path = "../../examples/chart/mod.rs"]
 mod chart;
 mod figures;
 mod history;
 mod options;
 mod plan;
-#[path = "../statements/mod.rs"]
+#[path = "../../examples/statements/mod.rs"]
 mod statements;
 mod tables;
 

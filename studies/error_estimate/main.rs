@@ -1,8 +1,8 @@
 //! Do the estimated errors of contacts hold?
 //!
 //! ```text
-//! cargo run --release --example error_estimate -- smooth  # `grid.accuracy` of smooth full films, three minutes
-//! cargo run --release --example error_estimate -- rough   # `solver.estimate` of rough contacts, a quarter of an hour
+//! cargo run --release -p studies --bin error_estimate -- smooth  # `grid.accuracy` of smooth full films, three minutes
+//! cargo run --release -p studies --bin error_estimate -- rough   # `solver.estimate` of rough contacts, a quarter of an hour
 //! ```
 //!
 //! Prints one row per contact, true error and estimate of each number in per cent, and how many estimates
@@ -10,7 +10,7 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
-#[path = "../command/mod.rs"]
+#[path = "../../examples/command/mod.rs"]
 mod command;
 mod rough;
 mod smooth;
@@ -23,8 +23,8 @@ use serde::de::IntoDeserializer;
 use serde::de::value::{Error as ValueError, StringDeserializer};
 
 const USAGE: &str = "\
-usage: cargo run --release --example error_estimate -- smooth [--accuracy A] [--finest NODES]
-       cargo run --release --example error_estimate -- rough [--first N] [--scenes N] [--cells N] [--finer N] [--waves N]
+usage: cargo run --release -p studies --bin error_estimate -- smooth [--accuracy A] [--finest NODES]
+       cargo run --release -p studies --bin error_estimate -- rough [--first N] [--scenes N] [--cells N] [--finer N] [--waves N]
                                                              [--face-mobility NAME] [--cavitation NAME]
 
 smooth: Moes parameters M and L; films and maximum pressure against finer meshes and larger boxes

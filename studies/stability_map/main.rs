@@ -1,13 +1,13 @@
 //! Where each solver converges, stalls, diverges or lies: more than 450 scenes from full film to dry contact.
 //!
 //! ```text
-//! cargo run --release --example stability_map                     # all scenes, all solvers
-//! cargo run --release --example stability_map -- --quick          # a few coarse ones
-//! cargo run --release --example stability_map -- --solver auto    # one solver
-//! cargo run --release --example stability_map -- --seed 2         # other roughness
-//! cargo run --release --example stability_map -- --every 11       # slow solvers: every eleventh scene
-//! cargo run --release --example stability_map -- --solver auto --film-heat # film heat, thinning, limit, coating, spin
-//! cargo run --release --example stability_map -- --solver auto --lines # rough line contacts
+//! cargo run --release -p studies --bin stability_map                     # all scenes, all solvers
+//! cargo run --release -p studies --bin stability_map -- --quick          # a few coarse ones
+//! cargo run --release -p studies --bin stability_map -- --solver auto    # one solver
+//! cargo run --release -p studies --bin stability_map -- --seed 2         # other roughness
+//! cargo run --release -p studies --bin stability_map -- --every 11       # slow solvers: every eleventh scene
+//! cargo run --release -p studies --bin stability_map -- --solver auto --film-heat # film heat, thinning, limit, coating, spin
+//! cargo run --release -p studies --bin stability_map -- --solver auto --lines # rough line contacts
 //! ```
 //!
 //! A solve that calls itself converged is checked from its fields alone: no pressure or gap may be negative,
@@ -16,7 +16,7 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
-#[path = "../command/mod.rs"]
+#[path = "../../examples/command/mod.rs"]
 mod command;
 mod map;
 mod outcome;
@@ -35,7 +35,7 @@ use outcome::{Entry, SOLVERS, Solver, Verdict, solve};
 use scenes::{Case, Group};
 
 const USAGE: &str = "\
-usage: cargo run --release --example stability_map -- [--quick] [--every N] [--solver NAME] [--seed N] [--film-heat | --lines] [--out DIR]
+usage: cargo run --release -p studies --bin stability_map -- [--quick] [--every N] [--solver NAME] [--seed N] [--film-heat | --lines] [--out DIR]
 
   --quick        a few coarse scenes
   --every N      every Nth scene with semi_system and paper_contact, which are slow (default 1)

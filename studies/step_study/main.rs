@@ -3,11 +3,11 @@
 //! `target/step_study`.
 //!
 //! ```text
-//! cargo run --release --example step_study [-- SEEDS]     # 2 seeds of the places
+//! cargo run --release -p studies --bin step_study [-- SEEDS]     # 2 seeds of the places
 //! ```
 #![expect(clippy::print_stdout, reason = "a program that talks to its user")]
 
-#[path = "../chart/mod.rs"]
+#[path = "../../examples/chart/mod.rs"]
 mod chart;
 
 use std::error::Error;
@@ -108,7 +108,7 @@ fn line(
 
 fn main() -> Result<(), Box<dyn Error>> {
     let seeds = std::env::args().nth(1).map_or(Ok(2), |count| count.parse::<u64>())?.max(1);
-    let base = Scene::load(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes/dry_history.toml"))?;
+    let base = Scene::load(Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes/dry_history.toml"))?;
     let mut table = format!("{HEADER}\n");
     let mut panels = Vec::new();
     println!("{HEADER}");
