@@ -1,6 +1,6 @@
 //! Rigid surfaces with a film that is given.
 
-use numpy::{PyArray2, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::Grid;
@@ -40,6 +40,9 @@ impl Film<'_> {
     }
 }
 
+/// Pressures along a row, and the place of reformation.
+type Row<'py> = (Bound<'py, PyArray2<f64>>, Option<f64>);
+
 /// A solved film, of which places along a row can be asked, its thickness at the nodes and its warnings.
 #[pyclass(frozen, module = "stribeck._stribeck")]
 pub(crate) struct SolvedFilm(GivenFilmSolution, Vec<f64>, Vec<Warning>);
@@ -71,12 +74,14 @@ impl SolvedFilm {
         self.2.iter().map(|warning| named(py, warning)).collect()
     }
 
-    fn pressure_at(&self, x: f64, row: usize) -> Option<f64> {
-        self.0.pressure_at(x, row)
-    }
-
-    fn reformation(&self, row: usize) -> Option<f64> {
-        self.0.reformation(row)
+    /// Positions and pressures along each row from edge to edge, and where the film first reforms in it.
+    fn rows<'py>(&self, py: Python<'py>) -> PyResult<Vec<Row<'py>>> {
+        let row = |row: usize| -> PyResult<Row<'py>> {
+            let profile: Vec<f64> = self.0.profile(row).unwrap_or_default().concat();
+            let points = profile.len() / 2;
+            Ok((PyArray1::from_vec(py, profile).reshape([points, 2])?, self.0.reformation(row)))
+        };
+        (0..self.0.grid().ny()).map(row).collect()
     }
 }
 

@@ -78,6 +78,7 @@ class History(Sequence[Record]):
 
     def __init__(self, records: Sequence[Record] = (), stopped: bool = False) -> None:
         self._records = list(records)
+        self._columns: dict[str, tuple[npt.NDArray[Any], int]] = {}
         #: Whether the callback ended the run.
         self.stopped = stopped
 
@@ -92,10 +93,24 @@ class History(Sequence[Record]):
     def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
     def __getitem__(self, key: int | slice | str) -> Any:
         if isinstance(key, str):
-            return np.array([record.column(key) for record in self._records])
+            return self._column(key)
         if isinstance(key, slice):
             return History(self._records[key], self.stopped)
         return self._records[key]
+
+    def _column(self, name: str) -> npt.NDArray[Any]:
+        """The values of a column, of which only those of new records are looked up."""
+        if name not in COLUMNS:
+            raise unknown("name", name, COLUMNS)
+        kind = _TEXTS.get(name, np.int64 if name in _WHOLES else np.float64)
+        values, known = self._columns.get(name, (np.empty(0, kind), 0))
+        count = len(self._records)
+        if count > len(values):
+            values = np.concatenate([values[:known], np.empty(max(count, 2 * known) - known, kind)])
+        for place in range(known, count):
+            values[place] = self._records[place].column(name)
+        self._columns[name] = values, count
+        return values[:count].copy()
 
     def __iter__(self) -> Iterator[Record]:
         return iter(self._records)

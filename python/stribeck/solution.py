@@ -12,9 +12,10 @@ import numpy.typing as npt
 from ._arguments import instance, named, optional_heights, path as _path, refused, text, writing
 from ._numbers import Fields
 from ._solved import Report, Solved
-from ._stribeck import BodyStart, solve as _solve
+from ._stribeck import solve as _solve
+from .bodies import BodyStart
 from .errors import InputError, StribeckWarning, found, say
-from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, compiled
+from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, held
 from .scene import Grid, Nodes, Scene, as_scene
 
 __all__ = ["Report", "Solution", "solve"]
@@ -101,9 +102,11 @@ def solve(
         "plasticity": plasticity,
         "solver": solver,
     }
-    given = parts(heights, bodies, laws)
-    with named(given):
+    keeper, called = held(laws)
+    given = parts(heights, bodies, called)
+    with named(named_parts(given, bodies)):
         solution = Solution(*_solve(chosen._raw, given, first_state(start, chosen)))
+    del keeper
     say(solution.warnings, 2)
     return solution
 
@@ -141,14 +144,20 @@ def parts(
     ball_start, disc_start = _two("bodies", bodies) if bodies is not None else (None, None)
     for name, body in (("ball", ball_start), ("disc", disc_start)):
         if body is not None:
-            instance(f"bodies ({name})", body, BodyStart, "a BodyStart, as Simulation.starts() gives them")
+            instance(f"bodies ({name})", body, BodyStart, "a BodyStart, as of Simulation.starts()")
     return {
         "ball_heights": optional_heights("ball_heights", ball),
         "disc_heights": optional_heights("disc_heights", disc),
-        "ball_start": ball_start,
-        "disc_start": disc_start,
-        "laws": compiled(laws),
+        "ball_start": ball_start and ball_start._raw,
+        "disc_start": disc_start and disc_start._raw,
+        "laws": laws,
     }
+
+
+def named_parts(given: dict[str, Any], bodies: Any) -> dict[str, Any]:
+    """The parts of :func:`parts` as they were given, by the names that errors have for them."""
+    ball, disc = bodies or (None, None)
+    return {**given, "ball_start": ball, "disc_start": disc}
 
 
 def _both(heights: Heights) -> tuple[Any, Any]:
