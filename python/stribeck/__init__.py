@@ -10,6 +10,7 @@ All numbers are SI. Fields are arrays of the shape ``(ny, nx)``, x along the flo
 """
 
 from . import analytic, elastic, laws, metrics, surface
+from ._numbers import units
 from ._stribeck import __version__, set_num_threads as _set_num_threads
 from ._arguments import whole as _whole
 from .bodies import BodyStart, read_body
@@ -33,6 +34,7 @@ from .film import GivenFilm, given_film
 from .history import Body, History, Record, Simulation
 from .scene import Grid, Scene
 from .solution import Report, Solution, solve
+from .sweeps import Point, Sweep, sweep
 
 __all__ = [
     "Body",
@@ -47,6 +49,7 @@ __all__ = [
     "InterruptedSolve",
     "LawError",
     "NotConvergedError",
+    "Point",
     "Record",
     "Report",
     "Scene",
@@ -58,6 +61,7 @@ __all__ = [
     "StribeckError",
     "StribeckWarning",
     "SurfaceError",
+    "Sweep",
     "UnknownNameError",
     "__version__",
     "analytic",
@@ -69,6 +73,8 @@ __all__ = [
     "set_num_threads",
     "solve",
     "surface",
+    "sweep",
+    "units",
 ]
 
 

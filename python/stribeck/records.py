@@ -9,7 +9,7 @@ from typing import Any, ClassVar, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._numbers import COLUMNS, Numbers, table
+from ._numbers import COLUMNS, Numbers, frame, table, units
 from .errors import StribeckWarning, found, unknown
 
 __all__ = ["Body", "History", "Record"]
@@ -136,6 +136,17 @@ class History(Sequence[Record]):
         """Columns by name."""
         rows = self.to_numpy()
         return {name: rows[name] for name in rows.dtype.names or ()}
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame``, a row a step; ``attrs["units"]`` are the units of its columns."""
+        return frame(self.to_dict())
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over the steps, with ``time`` [s] as a coordinate and units as attributes."""
+        import xarray as xr
+
+        columns = {name: ("step", values, {"units": units(name)}) for name, values in self.to_dict().items()}
+        return xr.Dataset(columns).set_coords(["step", "time"])
 
     def __repr__(self) -> str:
         if not self._records:

@@ -124,9 +124,12 @@ class Scene:
         """The same scene with other values: ``scene.replace(motion={"entrainment_speed": 0.2}, wear=None)``.
 
         Keys within a table are replaced one by one, and left out where the value is None. ``load``, ``grid``, a table with a ``kind`` and one
-        with another ``law`` are replaced as a whole.
+        with another ``law`` are replaced as a whole. A key may be given by its path: ``scene.replace(**{"motion.entrainment_speed": 0.2})``.
         """
-        return type(self)(_merged(self.to_dict(), tables, ()))
+        merged = self.to_dict()
+        for name, value in tables.items():
+            merged = _merged(merged, _nested(name, value), ())
+        return type(self)(merged)
 
     def to_dict(self) -> dict[str, Any]:
         """The scene as tables and keys, defaults included."""
@@ -157,7 +160,17 @@ class Scene:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and self._raw == other._raw
 
-    __hash__ = None  # type: ignore[assignment]
+    def __hash__(self) -> int:
+        return hash(self.to_toml())
+
+    def __getattr__(self, name: str) -> Any:
+        """A table of the scene by its name, ``scene.motion.entrainment_speed``."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(Numbers(self.to_dict()), name)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.to_dict()})
 
     def __repr__(self) -> str:
         return f"Scene({self.to_dict()!r})"
@@ -206,6 +219,14 @@ def _plain(tables: Mapping[str, Any], depth: int = 0) -> dict[str, Any]:
     if depth > _MAX_DEPTH:
         raise SceneError("scene: a dictionary contains itself", field="scene")
     return {k: _plain(v, depth + 1) if isinstance(v, Mapping) else v for k, v in tables.items()}
+
+
+def _nested(path: str, value: Any) -> dict[str, Any]:
+    """Tables that hold the value of the key with this path."""
+    for part in reversed(path.split(".")):
+        value = {part: value}
+    nested: dict[str, Any] = value
+    return nested
 
 
 def _merged(base: dict[str, Any], changes: Mapping[str, Any], path: tuple[str, ...]) -> dict[str, Any]:

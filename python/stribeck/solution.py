@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import instance, named, optional_heights, path as _path, refused, text, writing
-from ._numbers import Fields
+from ._numbers import Fields, Numbers, flat, frame, units
 from ._solved import Report, Solved
 from ._stribeck import solve as _solve
 from .bodies import BodyStart
@@ -35,14 +35,21 @@ class Solution(Solved):
     ``theta`` (filled share of the gap) and ``in_contact``; with ``lubricant.thermal`` also ``film_temperature`` [K].
     """
 
-    __slots__ = ("_nodes", "fields")
+    __slots__ = ("_nodes", "fields", "scene")
 
     fields: dict[str, npt.NDArray[Any]]
+    #: The scene that was solved; None for a contact of bodies within a history.
+    scene: Scene | None
 
     def __init__(
-        self, values: Mapping[str, Any], fields: Mapping[str, npt.NDArray[Any]] | None = None, nodes: Nodes | None = None
+        self,
+        values: Mapping[str, Any],
+        fields: Mapping[str, npt.NDArray[Any]] | None = None,
+        nodes: Nodes | None = None,
+        scene: Scene | None = None,
     ) -> None:
         super().__init__(values)
+        object.__setattr__(self, "scene", scene)
         object.__setattr__(self, "fields", Fields(fields or {}))
         object.__setattr__(self, "_nodes", nodes)
 
@@ -64,8 +71,35 @@ class Solution(Solved):
         with writing(place), open(place, "wb") as file:
             np.savez_compressed(file, **arrays)
 
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same contact with the same fields, whatever seconds it took."""
+        if not isinstance(other, Solution):
+            return NotImplemented
+        same = self.fields.keys() == other.fields.keys() and self.scene == other.scene and self["status"] == other["status"]
+        return same and all(np.array_equal(field, other.fields[name]) for name, field in self.fields.items())
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` of one row: the values of the scene, ``scene.load.force``, beside the numbers, ``film.central``;
+        ``attrs["units"]`` are the units of its columns."""
+        inputs = {} if self.scene is None else flat(Numbers(self.scene.to_dict()), "scene.")
+        return frame({name: [value] for name, value in {**inputs, **flat(self)}.items()})
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the fields over ``y`` and ``x`` [m], with units; its attributes are the numbers by their full names and the
+        scene as the text of a file. ``to_netcdf`` and ``to_zarr`` write it as it is."""
+        import xarray as xr
+
+        grid = self.grid
+        fields = {name: (("y", "x"), field, {"units": units(name)}) for name, field in self.fields.items()}
+        places = {"x": ("x", grid.x, {"units": "m"}), "y": ("y", grid.y, {"units": "m"})}
+        numbers = {name: value for name, value in flat(self).items() if value is not None}
+        scene = {} if self.scene is None else {"scene": self.scene.to_toml()}
+        return xr.Dataset(fields, coords=places, attrs={**numbers, **scene})
+
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.to_dict(), self.fields, self._nodes)
+        return type(self), (self.to_dict(), self.fields, self._nodes, self.scene)
 
 
 def solve(
@@ -93,21 +127,20 @@ def solve(
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
     for what cannot be solved.
     """
+    given = {"friction": friction, "deformation": deformation, "viscosity": viscosity, "density": density, "plasticity": plasticity}
+    solution = _solution(scene, heights=heights, bodies=bodies, solver=solver, start=start, **given)
+    say(solution.warnings, 2)
+    return solution
+
+
+def _solution(scene: Any, *, heights: Any = None, bodies: Any = None, solver: Any = None, start: Any = None, **laws: Any) -> Solution:
+    """The solution of :func:`solve`, whose warnings are not said."""
     chosen = with_solver(as_scene(scene), solver)
-    laws = {
-        "friction": friction,
-        "deformation": deformation,
-        "viscosity": viscosity,
-        "density": density,
-        "plasticity": plasticity,
-        "solver": solver,
-    }
-    keeper, called = held(laws)
+    keeper, called = held({**laws, "solver": solver})
     given = parts(heights, bodies, called)
     with named(named_parts(given, bodies)):
-        solution = Solution(*_solve(chosen._raw, given, first_state(start, chosen)))
+        solution = Solution(*_solve(chosen._raw, given, first_state(start, chosen)), scene=chosen)
     del keeper
-    say(solution.warnings, 2)
     return solution
 
 
