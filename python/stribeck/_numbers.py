@@ -6,7 +6,7 @@ import html
 import keyword
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy.typing as npt
 
@@ -98,6 +98,10 @@ class Numbers(Mapping[str, Any]):
 
     __slots__ = ("_path", "_units", "_values")
 
+    _path: str
+    _units: Mapping[str, str] | None
+    _values: dict[str, Any]
+
     def __init__(self, values: Mapping[str, Any], path: str = "", units: Mapping[str, str] | None = None) -> None:
         """``path`` is what stands before the names in their full ones, ``film.``; ``units`` are those of full names where the names are not
         those of a solution."""
@@ -122,14 +126,16 @@ class Numbers(Mapping[str, Any]):
     def __len__(self) -> int:
         return len(self._values)
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("__") or name in Numbers.__slots__:
-            raise AttributeError(name)
-        try:
-            return self._values[name if name in self._values else name.removesuffix("_")]
-        except KeyError:
-            known = ", ".join(self._values)
-            raise AttributeError(f"there is no {name!r} here, but {known}") from None
+    if not TYPE_CHECKING:  # names that a table does not have are found by type checkers
+
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("__") or name in Numbers.__slots__:
+                raise AttributeError(name)
+            try:
+                return self._values[name if name in self._values else name.removesuffix("_")]
+            except KeyError:
+                known = ", ".join(self._values)
+                raise AttributeError(f"there is no {name!r} here, but {known}") from None
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
@@ -165,6 +171,16 @@ class Numbers(Mapping[str, Any]):
 
     def _repr_html_(self) -> str:
         return table((name, _text(value), self._unit(name, value)) for name, value in self.rows())
+
+
+class Table(Numbers):
+    """A table whose names type checkers do not know."""
+
+    __slots__ = ()
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any: ...
 
 
 class Fields(dict[str, npt.NDArray[Any]]):

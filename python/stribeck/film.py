@@ -11,6 +11,7 @@ import numpy.typing as npt
 from ._arguments import Quantity, array, cells, number, numbers, truth, whole
 from ._solved import Solved
 from ._stribeck import solve_film
+from ._typed import Flow, Forces
 from .errors import StribeckWarning, found, say
 from .scene import Grid
 
@@ -24,6 +25,9 @@ class GivenFilm(Solved):
 
     __slots__ = ("_rows", "film", "pressure", "theta", "warnings")
 
+    load: float
+    force: Forces
+    flow: Flow
     film: npt.NDArray[np.float64]
     pressure: npt.NDArray[np.float64]
     theta: npt.NDArray[np.float64]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,7 @@ from ._arguments import Quantity, array, function, named, number, optional_numbe
 from ._conditions import CONDITIONS, accepted, changed
 from ._numbers import Fields, Numbers
 from ._stribeck import Simulation as _Simulation
+from ._typed import Conditions
 from .bodies import BodyStart
 from .errors import InputError, StribeckWarning, found, say
 from .laws import Held, held
@@ -172,9 +173,9 @@ class Simulation:
         return Grid._of(self._raw.grid())
 
     @property
-    def conditions(self) -> Numbers:
+    def conditions(self) -> Conditions:
         """What acts on the contact now: ``load`` [N], ``motion.entrainment_speed`` [m/s], ``motion.slide_roll_ratio``, ``bulk_temperature`` [K]."""
-        return Numbers(self._raw.about()["conditions"])
+        return cast(Conditions, Numbers(self._raw.about()["conditions"]))
 
     @property
     def roughness_motion(self) -> str:

@@ -9,13 +9,13 @@ from typing import Any, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._numbers import Numbers, flat, frame, units
+from ._numbers import Table, flat, frame, units
 from .errors import StribeckWarning, found, unknown
 
 __all__ = ["Point", "Sweep"]
 
 
-class Point(Numbers):
+class Point(Table):
     """One point of a sweep: the numbers of its solution by their names, empty where it was refused. ``inputs`` are its values in SI units by
     their keys, ``status`` that of the solve (``"refused"`` for one that raised, ``"lost"`` where the executor failed), ``error`` what was raised,
     ``warnings`` those of the solution and ``measured`` what the measure returned."""

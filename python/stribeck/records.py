@@ -9,7 +9,8 @@ from typing import Any, ClassVar, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._numbers import COLUMNS, Numbers, frame, table, units
+from ._numbers import COLUMNS, Numbers, Table, frame, table, units
+from ._typed import Contact, Film, Flow, Friction, Motion, Plastic, Pressure, Residual, Roughness, Tribofilm, Wear, Work
 from .errors import StribeckWarning, found, unknown
 
 __all__ = ["Body", "History", "Record"]
@@ -35,6 +36,30 @@ class Record(Numbers):
 
     __slots__ = ("warnings",)
 
+    step: int
+    time: float
+    time_step: float
+    load: float
+    motion: Motion
+    bulk_temperature: float
+    roughness: Roughness
+    film: Film
+    pressure: Pressure
+    contact: Contact
+    friction: Friction
+    flow: Flow | None
+    thermal: Table | None
+    flash_rise: float | None
+    wear: Wear
+    tribofilm: Tribofilm
+    plastic: Plastic
+    attempts: int
+    solver: str
+    status: str
+    residual: Residual
+    energy_error: float | None
+    work: Work
+    strategy: str | None
     warnings: list[StribeckWarning]
 
     def __init__(self, values: Mapping[str, Any], warnings: Sequence[StribeckWarning] = ()) -> None:
@@ -64,6 +89,13 @@ class Body(Numbers):
     ``worn_profile``, the worn depth across the track, of the shape ``(ny,)`` [m]. At every node ``surface = initial - wear - plastic_depth + tribofilm``."""
 
     __slots__ = ()
+
+    initial: npt.NDArray[np.float64]
+    surface: npt.NDArray[np.float64]
+    wear: npt.NDArray[np.float64]
+    plastic_depth: npt.NDArray[np.float64]
+    tribofilm: npt.NDArray[np.float64]
+    worn_profile: npt.NDArray[np.float64]
 
     def __repr__(self) -> str:
         return f"<Body of {self['surface'].shape[1]} x {self['surface'].shape[0]} nodes: {', '.join(self)}>"

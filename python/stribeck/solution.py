@@ -10,9 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import instance, named, optional_heights, path as _path, refused, text, writing
-from ._numbers import Fields, Numbers, flat, frame, units
+from ._numbers import Fields, Numbers, Table, flat, frame, units
 from ._solved import Report, Solved
 from ._stribeck import solve as _solve
+from ._typed import Contact, Errors, Film, Flow, Friction, Hertz, Moes, Pressure, Roughness
 from .bodies import BodyStart
 from .errors import InputError, StribeckWarning, found, say
 from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, held
@@ -37,7 +38,27 @@ class Solution(Solved):
 
     __slots__ = ("_nodes", "fields", "scene")
 
+    hertz: Hertz
+    moes: Moes | None
+    film: Film
+    pressure: Pressure
+    contact: Contact
+    friction: Friction
+    roughness: Roughness
+    flow: Flow | None
+    approach: float
+    stress: Table | None
+    thermal: Table | None
+    error_estimate: Errors | None
+    strategy: str | None
+    scheme: str | None
+    face_mobility: str | None
+    cavitation: str | None
+    contact_definition: str | None
+    version: str
+    seconds: float
     fields: dict[str, npt.NDArray[Any]]
+    _nodes: Nodes | None
     #: The scene that was solved; None for a contact of bodies within a history.
     scene: Scene | None
 
