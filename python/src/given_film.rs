@@ -4,7 +4,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::Grid;
-use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+use stribeck::lubricant::{Barus, DowsonHigginson, Incompressible, Lubricant};
 use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 use stribeck::sim::{SimError, Warning, given_film_warnings};
 
@@ -85,7 +85,7 @@ impl SolvedFilm {
     }
 }
 
-/// Solves for pressure and content in `film` on the cells `on`, of an oil of `(eta0, alpha)` between edges of
+/// Solves for pressure and content in `film` on the cells `on`, of an oil of `(eta0, alpha, [density_a, density_b])` between edges of
 /// `(ambient_pressure, cavitation_pressure, closed_sides)`.
 #[pyfunction]
 pub(crate) fn solve_film(
@@ -93,12 +93,17 @@ pub(crate) fn solve_film(
     on: &Cells,
     film: Film<'_>,
     speeds: [f64; 2],
-    oil: (f64, f64),
+    oil: (f64, f64, [f64; 2]),
     edges: (f64, f64, bool),
 ) -> PyResult<SolvedFilm> {
-    let ((eta0, alpha), (ambient, cavitation, closed_sides)) = (oil, edges);
+    let ((eta0, alpha, [a, b]), (ambient, cavitation, closed_sides)) = (oil, edges);
     let film = film.thickness(py, on.0)?;
-    let oil = Lubricant::new(value(py, Barus::new(eta0, alpha))?, Incompressible);
+    let viscosity = value(py, Barus::new(eta0, alpha))?;
+    let oil = if a == 0.0 && b == 0.0 {
+        Lubricant::new(viscosity, Incompressible)
+    } else {
+        Lubricant::new(viscosity, value(py, DowsonHigginson::new(a, b))?)
+    };
     let sides = if closed_sides { SideEdges::Closed } else { SideEdges::Ambient };
     let solved = py.detach(|| {
         let problem = GivenFilm::new(&film, &oil, speeds)

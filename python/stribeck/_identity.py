@@ -1,4 +1,4 @@
-"""What tells laws apart in a checkpoint: their constants and their code, wherever Python keeps them."""
+"""Identities of laws in checkpoints: their constants and their code, wherever Python keeps them."""
 
 from __future__ import annotations
 

@@ -165,7 +165,7 @@ def solve_film(
     on: Cells,
     film: _Field | Callable[[float, float], float],
     speeds: list[float],
-    oil: tuple[float, float],
+    oil: tuple[float, float, list[float]],
     edges: tuple[float, float, bool],
 ) -> SolvedFilm: ...
 def check_visits(visits: str) -> None: ...

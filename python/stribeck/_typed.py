@@ -16,7 +16,7 @@ class Residual(Numbers):
 
 
 class Work(Numbers):
-    """What a solve took."""
+    """Work of a solve."""
 
     __slots__ = ()
     convolutions: float
@@ -163,7 +163,7 @@ class Plastic(Numbers):
 
 
 class Conditions(Numbers):
-    """What acts on a contact."""
+    """Conditions of a contact."""
 
     __slots__ = ()
     load: float

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import Quantity, array, function, named, number, optional_number, path as _path, refused, truth, whole
-from ._conditions import CONDITIONS, accepted, changed
+from ._arguments import Quantity, array, function, named, number, optional_number, refused, truth, whole
+from ._conditions import CONDITIONS, changed
+from ._held import held
 from ._numbers import Fields, Numbers
 from ._stribeck import Simulation as _Simulation
 from ._typed import Conditions
 from .bodies import BodyStart
 from .errors import InputError, StribeckWarning, found, say
-from .laws import Held, held
+from .kept import Kept
 from .records import Body, History, Record
 from .scene import Grid, Scene, as_scene
 from .solution import Heights, Solution, first_state, named_parts, parts, with_solver
@@ -25,7 +26,7 @@ from .solution import Heights, Solution, first_state, named_parts, parts, with_s
 __all__ = ["Body", "History", "Record", "Simulation"]
 
 
-class Simulation:
+class Simulation(Kept):
     """A contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 
     ``heights``, ``bodies``, ``friction``, ``deformation``, ``viscosity``, ``density``, ``plasticity`` and ``solver`` are as in
@@ -41,13 +42,6 @@ class Simulation:
     """
 
     __slots__ = ("__weakref__", "_given", "_held", "_history", "_in_folder", "_raw", "_scene")
-
-    _given: dict[str, Any]
-    _held: Held
-    _history: History
-    _in_folder: bool
-    _raw: _Simulation
-    _scene: Scene
 
     def __init__(
         self,
@@ -100,37 +94,6 @@ class Simulation:
             "_scene": scene,
         }.items():
             object.__setattr__(self, name, value)
-
-    @classmethod
-    def open(
-        cls,
-        folder: str | os.PathLike[str],
-        scene: Scene | Mapping[str, Any] | str | os.PathLike[str] | None = None,
-        *,
-        every: int = 10,
-        **given: Any,
-    ) -> Simulation:
-        """A simulation that writes itself into ``folder``, the run folder of the command: ``scene.toml``, a line of ``history.csv`` a step, a
-        ``checkpoint`` after each ``every`` steps, and ``fields.npz`` at :meth:`close`, which the end of a ``with`` block calls. Of a run that
-        the folder holds it goes on, with its history, from its checkpoint; without ``scene`` the one in the folder is taken. ``given`` are
-        keywords of :class:`Simulation`. Raises :class:`~stribeck.CheckpointError` for the run of another scene or law,
-        :class:`~stribeck.InputError` where another run writes into the folder."""
-        place = _path("folder", folder)
-        simulation = cls(os.path.join(place, "scene.toml") if scene is None else scene, **given)
-        simulation._raw.open_folder(place, whole("every", every))
-        object.__setattr__(simulation, "_in_folder", True)
-        return simulation
-
-    def close(self) -> None:
-        """Writes the last checkpoint and the fields into the run folder, if there is one, and leaves it to other runs."""
-        object.__setattr__(self, "_in_folder", False)
-        self._raw.close_folder()
-
-    def __enter__(self) -> Simulation:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self.close()
 
     def __setattr__(self, name: str, value: Any) -> None:
         is_condition = name in CONDITIONS or hasattr(Simulation, name)
@@ -288,25 +251,6 @@ class Simulation:
         """Mean of a field of a body over the width of the track."""
         return self._raw.mean_on_track(array("field", field))
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a checkpoint: a simulation of the same scene and laws that restores it goes on as this one, to the last bit."""
-        self._raw.save(_path("path", path))
-
-    def restore(self, path: str | os.PathLike[str], *, accept: Iterable[str] = ()) -> list[str]:
-        """Takes over a checkpoint. ``accept`` names parts that may differ from those it was written with, laws by their keywords and tables of
-        the scene (``["wear", "scene.load"]``): a law whose code is the same under another version of Python, say. Returns those that
-        do. Raises :class:`~stribeck.CheckpointError` where it is damaged or of another simulation, with what differs."""
-        differences = self._raw.restore(_path("path", path), accepted(accept))
-        object.__setattr__(self, "_history", History())
-        return differences
-
-    def restore_under_other_conditions(self, path: str | os.PathLike[str]) -> list[str]:
-        """Takes over a checkpoint of a scene whose load, speeds, oil, friction, temperatures, schedule or solver differ, and returns what
-        does."""
-        differences = self._raw.restore_under_other_conditions(_path("path", path))
-        object.__setattr__(self, "_history", History())
-        return differences
-
     def change(self, **tables: Any) -> None:
         """Other conditions from now on: tables of the scene as for :meth:`Scene.replace`, ``load``, ``motion``, ``lubricant``, ``friction``,
         ``thermal``, ``solver`` and ``schedule``, whose times count from now. ``load="20 N"`` is ``load={"force": "20 N"}``. A quantity that
@@ -324,43 +268,5 @@ class Simulation:
         known = [str(warning) for warning in before]
         say([warning for warning in self.warnings if str(warning) not in known], 2)
 
-    def fork(self) -> Simulation:
-        """A simulation of its own that stands where this one does; it writes into no folder."""
-        fork = object.__new__(type(self))
-        values = {
-            "_given": self._given,
-            "_held": self._held,
-            "_history": self.history[:],
-            "_in_folder": False,
-            "_raw": self._raw.fork(),
-            "_scene": self._scene,
-        }
-        for name, value in {**getattr(self, "__dict__", {}), **values}.items():
-            object.__setattr__(fork, name, value)
-        return fork
-
-    def __copy__(self) -> Simulation:
-        return self.fork()
-
-    def __deepcopy__(self, memo: dict[int, Any]) -> Simulation:
-        return self.fork()
-
-    def __reduce__(self) -> Any:
-        records = list(self.history)
-        own = getattr(self, "__dict__", {})
-        return _unpickled, (type(self), self._scene, self._given, self._raw.checkpoint(), records, own)
-
     def __repr__(self) -> str:
         return f"<Simulation after {self.steps} steps, {self.time:g} s>"
-
-
-def _unpickled(
-    kind: type[Simulation], scene: Scene, given: dict[str, Any], checkpoint: bytes, records: list[Record], own: dict[str, Any]
-) -> Simulation:
-    """The simulation of a pickle: its laws are found by their names, as pickle does."""
-    simulation = object.__new__(kind)
-    simulation._build(scene, given)
-    simulation._raw.restore_bytes(checkpoint)
-    for name, value in {**own, "_history": History(records)}.items():
-        object.__setattr__(simulation, name, value)
-    return simulation

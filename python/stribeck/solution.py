@@ -10,13 +10,14 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import instance, named, optional_heights, path as _path, refused, text, writing
+from ._held import held
 from ._numbers import Fields, Numbers, Table, flat, frame, units
 from ._solved import Report, Solved
 from ._stribeck import solve as _solve
 from ._typed import Contact, Errors, Film, Flow, Friction, Hertz, Moes, Pressure, Roughness
 from .bodies import BodyStart
 from .errors import InputError, StribeckWarning, found, say
-from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, held
+from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw
 from .scene import Grid, Nodes, Scene, as_scene
 
 __all__ = ["Report", "Solution", "solve"]

@@ -173,7 +173,7 @@ def _solved(task: tuple[Scene, Mapping[str, Any], Measure | None, str | None]) -
 
 
 def _plain(measured: Any) -> Any:
-    """What a measure returned, as numbers, text and dictionaries of those."""
+    """A returned measure as numbers, text and dictionaries of those."""
     if isinstance(measured, Mapping):
         return {str(key): _plain(value) for key, value in measured.items()}
     if isinstance(measured, np.generic | np.ndarray) and np.ndim(measured) == 0:

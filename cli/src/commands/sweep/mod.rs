@@ -24,7 +24,7 @@ use crate::output::{self, Outcome};
 pub(crate) struct Options {
     /// Scene file
     scene: PathBuf,
-    /// Key of the scene and its values, "load.force=10N,20N" or "motion.entrainment_speed=1mm/s..1m/s:20"; values
+    /// Key of the scene and its values, "load.force=10N,20N" or "load.force=1N..100N:20"; values
     /// of a range are evenly spread over their logarithms, evenly where an end is not positive
     #[arg(long, required = true, value_name = "KEY=VALUES", value_parser = Axis::parse)]
     over: Vec<Axis>,
