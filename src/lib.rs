@@ -114,6 +114,8 @@ pub use boundary::Boundary;
 pub use boundary_friction::{BoundaryFriction, ConstantFriction, FilmFriction};
 pub use error::InputError;
 pub use grid::Grid;
+#[cfg(feature = "parallel")]
+pub use numerics::set_num_threads;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};
 pub use sim::Warning;
 pub use solver_id::SolverId;

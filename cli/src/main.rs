@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
-use crate::commands::{check, curve, init, run, solve, surface};
+use crate::commands::{check, curve, init, run, solve, surface, sweep};
 use crate::output::Outcome;
 
 /// Rough lubricated contacts that change as they rub.
@@ -39,6 +39,8 @@ enum Command {
     Run(run::Options),
     /// Compute a Stribeck curve: friction, load on solids and film over a range of speeds
     Curve(curve::Options),
+    /// Solve a scene under all combinations of some of its values
+    Sweep(sweep::Options),
     /// Report the parameters of a measured surface (ISO 25178-2)
     Surface(surface::Options),
     /// Say what a scene models and what to expect of it, without solving
@@ -51,7 +53,7 @@ fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            let text = "a subcommand is missing: init, check, solve, curve, run or surface; `stribeck --help` explains them";
+            let text = "a subcommand is missing: init, check, solve, curve, sweep, run or surface; `stribeck --help` explains them";
             output::complain("error", text);
             return Outcome::Refused.into();
         }
@@ -66,6 +68,7 @@ fn main() -> ExitCode {
         Command::Solve(options) => solve::run(&options),
         Command::Run(options) => run::run(&options),
         Command::Curve(options) => curve::run(&options),
+        Command::Sweep(options) => sweep::run(&options),
         Command::Surface(options) => surface::run(&options),
         Command::Check(options) => check::run(&options),
         Command::Init(options) => init::run(&options),

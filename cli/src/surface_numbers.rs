@@ -100,8 +100,8 @@ impl Numbers {
         ]
     }
 
-    /// One object in SI units; what the surface has not is null.
-    pub(crate) fn to_json(&self) -> Value {
+    /// One object in SI units with the `warnings`, a sentence each; a parameter that the surface lacks is null.
+    pub(crate) fn to_json(&self, warnings: &[String]) -> Value {
         let mut object = Map::new();
         object.insert("nx".to_owned(), json!(self.size[0]));
         object.insert("ny".to_owned(), json!(self.size[1]));
@@ -110,6 +110,7 @@ impl Numbers {
         for (key, value) in self.lengths().iter().chain(&self.parameters) {
             object.insert((*key).to_owned(), json!(value));
         }
+        object.insert("warnings".to_owned(), json!(warnings));
         Value::Object(object)
     }
 

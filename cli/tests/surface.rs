@@ -67,7 +67,11 @@ fn bad_files_give_one_line() {
     let report = json_of(&stribeck(&["surface", text(&plain), "--json"]));
     assert!(report["sdq"].is_null() && report["size_x"].is_null() && report["sa"].is_f64(), "{report}");
     std::fs::write(&plain, "0.1 0.2\n0.3 0.5\n").unwrap();
-    let warning = error_of(&stribeck(&["surface", text(&plain)]));
+    let report = stribeck(&["surface", text(&plain), "--json"]);
+    let (warning, report) = (error_of(&report), json_of(&report));
+    let listed = report["warnings"].as_array().unwrap();
+    assert_eq!(listed.len(), 1, "{report}");
+    assert!(listed[0].as_str().unwrap().starts_with("the unit of the heights is not known"), "{report}");
     assert!(warning.contains("plain.txt: the unit of the heights is not known"), "{warning}");
     let named = stribeck(&["surface", text(&plain), "--unit", "um", "--json"]);
     assert_eq!((error_of(&named), json_of(&named)["unit"].as_str()), (String::new(), Some("um")));

@@ -142,6 +142,32 @@ fn assert_told(case: &Case, json: &Value, terminal: &str) -> Value {
 }
 
 #[test]
+fn surface_file_without_unit_is_one_warning_of_check_solve_and_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let row = ["1e-9"; 24].join(" ") + "\n";
+    for (header, expected) in [("", 1), ("unit: m\n", 0)] {
+        std::fs::write(folder.path().join("disc.txt"), format!("{header}{}", row.repeat(24))).unwrap();
+        let (before, after) = GOOD.split_once("kind = \"gaussian\"").unwrap();
+        let solver = after.split_once("[solver]").unwrap().1;
+        let scene = format!("{before}kind = \"file\"\npath = \"disc.txt\"\n[solver]{solver}");
+        std::fs::write(&path, scene.replace("edge_contact = false", "")).unwrap();
+        let run = ["run", text(&path), "--steps", "1", "--time-step", "1", "--json"];
+        for arguments in [&["check", text(&path), "--json"][..], &["solve", text(&path), "--json"], &run] {
+            let output = stribeck(arguments);
+            let json = json_of(&output);
+            let warnings = json["warnings"].as_array().unwrap();
+            let found: Vec<&Value> =
+                warnings.iter().filter(|warning| warning["field"] == "roughness.disc.path").collect();
+            assert_eq!(found.len(), expected, "{arguments:?}: {json}");
+            let line = "warning: roughness.disc.path: the file names no unit of its heights";
+            assert_eq!(error_of(&output).matches(line).count(), expected, "{arguments:?}");
+            assert!(found.iter().all(|warning| warning["value"].is_null()), "{json}");
+        }
+    }
+}
+
+#[test]
 fn every_warning_is_told_everywhere() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");

@@ -112,7 +112,7 @@ impl ForPython for CheckpointError {
         let message = self.to_string();
         let (field, path) = match &self {
             Self::Io { path, source } => return io(py, &path.display().to_string(), &message, source),
-            Self::Other { path, part } => (part.as_str(), path),
+            Self::Other { path, part, .. } => (part.as_str(), path),
             Self::Foreign { path } | Self::Newer { path, .. } | Self::Damaged { path, .. } => ("path", path),
             _ => return raise(py, "CheckpointError", &message, Some("path"), None),
         };

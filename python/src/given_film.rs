@@ -1,10 +1,10 @@
 //! Rigid surfaces with a film that is given.
 
-use numpy::{PyArray2, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::Grid;
-use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+use stribeck::lubricant::{Barus, DowsonHigginson, Incompressible, Lubricant};
 use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 use stribeck::sim::{SimError, Warning, given_film_warnings};
 
@@ -40,6 +40,9 @@ impl Film<'_> {
     }
 }
 
+/// Pressures along a row, and the place of reformation.
+type Row<'py> = (Bound<'py, PyArray2<f64>>, Option<f64>);
+
 /// A solved film, of which places along a row can be asked, its thickness at the nodes and its warnings.
 #[pyclass(frozen, module = "stribeck._stribeck")]
 pub(crate) struct SolvedFilm(GivenFilmSolution, Vec<f64>, Vec<Warning>);
@@ -71,16 +74,18 @@ impl SolvedFilm {
         self.2.iter().map(|warning| named(py, warning)).collect()
     }
 
-    fn pressure_at(&self, x: f64, row: usize) -> Option<f64> {
-        self.0.pressure_at(x, row)
-    }
-
-    fn reformation(&self, row: usize) -> Option<f64> {
-        self.0.reformation(row)
+    /// Positions and pressures along each row from edge to edge, and where the film first reforms in it.
+    fn rows<'py>(&self, py: Python<'py>) -> PyResult<Vec<Row<'py>>> {
+        let row = |row: usize| -> PyResult<Row<'py>> {
+            let profile: Vec<f64> = self.0.profile(row).unwrap_or_default().concat();
+            let points = profile.len() / 2;
+            Ok((PyArray1::from_vec(py, profile).reshape([points, 2])?, self.0.reformation(row)))
+        };
+        (0..self.0.grid().ny()).map(row).collect()
     }
 }
 
-/// Solves for pressure and content in `film` on the cells `on`, of an oil of `(eta0, alpha)` between edges of
+/// Solves for pressure and content in `film` on the cells `on`, of an oil of `(eta0, alpha, [density_a, density_b])` between edges of
 /// `(ambient_pressure, cavitation_pressure, closed_sides)`.
 #[pyfunction]
 pub(crate) fn solve_film(
@@ -88,12 +93,17 @@ pub(crate) fn solve_film(
     on: &Cells,
     film: Film<'_>,
     speeds: [f64; 2],
-    oil: (f64, f64),
+    oil: (f64, f64, [f64; 2]),
     edges: (f64, f64, bool),
 ) -> PyResult<SolvedFilm> {
-    let ((eta0, alpha), (ambient, cavitation, closed_sides)) = (oil, edges);
+    let ((eta0, alpha, [a, b]), (ambient, cavitation, closed_sides)) = (oil, edges);
     let film = film.thickness(py, on.0)?;
-    let oil = Lubricant::new(value(py, Barus::new(eta0, alpha))?, Incompressible);
+    let viscosity = value(py, Barus::new(eta0, alpha))?;
+    let oil = if a == 0.0 && b == 0.0 {
+        Lubricant::new(viscosity, Incompressible)
+    } else {
+        Lubricant::new(viscosity, value(py, DowsonHigginson::new(a, b))?)
+    };
     let sides = if closed_sides { SideEdges::Closed } else { SideEdges::Ambient };
     let solved = py.detach(|| {
         let problem = GivenFilm::new(&film, &oil, speeds)

@@ -11,6 +11,7 @@ mod interrupt;
 mod laws;
 mod metrics;
 mod record;
+mod run;
 mod scene;
 mod simulation;
 mod solution;
@@ -18,6 +19,12 @@ mod start;
 mod surface;
 
 use pyo3::prelude::*;
+
+/// Sets the number of threads of later work; 0 for the default.
+#[pyfunction]
+fn set_num_threads(threads: usize) {
+    stribeck::set_num_threads(threads);
+}
 
 #[pymodule]
 fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -30,6 +37,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<start::BodyStart>()?;
     module.add_class::<surface::Surface>()?;
     module.add_class::<given_film::SolvedFilm>()?;
+    module.add_function(wrap_pyfunction!(set_num_threads, module)?)?;
     module.add_function(wrap_pyfunction!(convert::quantity, module)?)?;
     module.add_function(wrap_pyfunction!(record::columns, module)?)?;
     module.add_function(wrap_pyfunction!(solution::solve, module)?)?;

@@ -7,11 +7,12 @@ use std::sync::{Mutex, TryLockError};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stribeck::sim::{CheckpointError, MixedLubricationSim, SimError, StepControl, StepRecord, Warning};
+use stribeck::sim::{CheckpointError, MixedLubricationSim, RunFolder, SimError, StepControl, StepRecord};
 
 use crate::convert::{dictionary, field, list, named, on_grid};
 use crate::error::{ForPython, raise, value};
 use crate::laws::Failure;
+use crate::run::{RecordParts, Run, Taken};
 use crate::scene::{Cells, Scene};
 use crate::solution::{Parts, Solved, Start, parts_of};
 use crate::start::BodyStart;
@@ -19,40 +20,6 @@ use crate::start::BodyStart;
 #[pyclass(frozen, module = "stribeck._stribeck")]
 pub(crate) struct Simulation {
     run: Mutex<Run>,
-}
-
-#[derive(Clone)]
-struct Run {
-    sim: MixedLubricationSim,
-    /// Those of all steps since the start or the last checkpoint: a signal may come before Python sees one.
-    records: Vec<Taken>,
-}
-
-impl Run {
-    /// Keeps the record of a step with the warnings that it has added to the `known` ones.
-    fn keep(&mut self, record: StepRecord, known: usize) -> Taken {
-        let warnings = self.sim.warnings().get(known..).unwrap_or_default().to_vec();
-        let taken = Taken { record, warnings };
-        self.records.push(taken.clone());
-        taken
-    }
-}
-
-/// A step that was taken.
-#[derive(Clone)]
-struct Taken {
-    record: StepRecord,
-    /// Those that no step before has said.
-    warnings: Vec<Warning>,
-}
-
-/// A record and the warnings of its step.
-type RecordParts<'py> = (Bound<'py, PyDict>, Bound<'py, PyAny>);
-
-impl Taken {
-    fn parts<'py>(&self, py: Python<'py>) -> PyResult<RecordParts<'py>> {
-        Ok((named(py, &self.record)?, list(py, &self.warnings)?))
-    }
 }
 
 type Arrays<'py> = Bound<'py, PyDict>;
@@ -122,75 +89,94 @@ impl Simulation {
         if let Some(error) = Failure.take() {
             return Err(error);
         }
-        let run = Run { sim: value(py, built)?, records: Vec::new() };
+        let run = Run { sim: value(py, built)?, records: Vec::new(), folder: None };
         Ok(Self { run: Mutex::new(run) })
     }
 
-    fn step<'py>(&self, py: Python<'py>, time_step: f64, depth: f64) -> PyResult<RecordParts<'py>> {
+    fn step(&self, py: Python<'_>, time_step: f64, depth: f64) -> PyResult<()> {
         let control = StepControl::new(time_step, depth);
-        let taken = self.act(py, |run| {
+        self.act(py, |run| {
             let known = run.sim.warnings().len();
             let record = run.sim.step_within(&control)?;
-            Ok::<_, SimError>(run.keep(record, known))
-        })?;
-        taken.parts(py)
+            run.keep(record, known)
+        })
     }
 
-    /// One step towards the time `end`; none where it is reached.
-    fn step_towards<'py>(
-        &self,
-        py: Python<'py>,
-        end: f64,
-        time_step: f64,
-        depth: f64,
-    ) -> PyResult<Option<RecordParts<'py>>> {
+    /// One step towards the time `end`; whether there was one to take.
+    fn step_towards(&self, py: Python<'_>, end: f64, time_step: f64, depth: f64) -> PyResult<bool> {
         let control = StepControl::new(time_step, depth);
-        let taken = self.act(py, |run| {
+        self.act(py, |run| {
             let known = run.sim.warnings().len();
             let mut first = None;
             run.sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
                 first = Some(record.clone());
                 ControlFlow::Break(())
             })?;
-            Ok::<_, SimError>(first.map(|record| run.keep(record, known)))
-        })?;
-        taken.map(|taken| taken.parts(py)).transpose()
+            let is_taken = first.is_some();
+            first.map_or(Ok(()), |record| run.keep(record, known))?;
+            Ok::<_, SimError>(is_taken)
+        })
     }
 
-    /// The records from the `first` on.
-    fn records<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Vec<RecordParts<'py>>> {
-        let run = match self.run.try_lock() {
+    /// The records since this was last called.
+    fn take_records<'py>(&self, py: Python<'py>) -> PyResult<Vec<RecordParts<'py>>> {
+        let mut run = match self.run.try_lock() {
             Ok(run) => run,
             Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
             Err(TryLockError::WouldBlock) => return Err(Self::busy(py)),
         };
-        run.records.iter().skip(first).map(|taken| taken.parts(py)).collect()
+        let records = std::mem::take(&mut run.records);
+        drop(run);
+        records.iter().map(|taken| taken.parts(py)).collect()
+    }
+
+    /// Goes on with the run in the folder at `path`, or begins one there; a checkpoint after each `every` steps.
+    fn open_folder(&self, py: Python<'_>, path: PathBuf, every: u64) -> PyResult<()> {
+        self.act(py, |run| {
+            let (folder, records) = RunFolder::resume(path, &mut run.sim, every)?;
+            run.folder = Some(folder);
+            run.records = records.into_iter().map(|record| Taken { record, warnings: Vec::new() }).collect();
+            Ok::<_, SimError>(())
+        })
+    }
+
+    fn close_folder(&self, py: Python<'_>) -> PyResult<()> {
+        self.act(py, Run::close)
     }
 
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         self.act(py, |run| run.sim.save(path))
     }
 
-    fn restore(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+    /// Takes over the checkpoint at `path`, of which the parts `accept` may differ; those that do.
+    fn restore(&self, py: Python<'_>, path: PathBuf, accept: Vec<String>) -> PyResult<Vec<String>> {
+        let accept: Vec<&str> = accept.iter().map(String::as_str).collect();
         self.act(py, |run| {
-            run.sim.restore(path)?;
+            run.refuse_folder()?;
+            let differences = run.sim.restore_accepting(path, &accept)?;
             run.records.clear();
-            Ok::<_, CheckpointError>(())
+            Ok::<_, CheckpointError>(differences)
         })
     }
 
     fn restore_under_other_conditions(&self, py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
         self.act(py, |run| {
+            run.refuse_folder()?;
             let differences = run.sim.restore_under_other_conditions(path)?;
             run.records.clear();
             Ok::<_, CheckpointError>(differences)
         })
     }
 
-    /// A simulation of its own that stands where this one does.
+    /// Takes over the `bytes` of [`checkpoint`](Self::checkpoint), under other conditions too.
+    fn restore_bytes(&self, py: Python<'_>, bytes: &[u8]) -> PyResult<Vec<String>> {
+        self.act(py, |run| run.sim.restore_checkpoint_under_other_conditions(bytes))
+    }
+
+    /// A simulation of its own that stands where this one does; it writes into no folder.
     fn fork(&self, py: Python<'_>) -> PyResult<Self> {
-        let run = self.act(py, |run| Ok::<_, SimError>(run.clone()))?;
-        Ok(Self { run: Mutex::new(run) })
+        let sim = self.act(py, |run| Ok::<_, SimError>(run.sim.clone()))?;
+        Ok(Self { run: Mutex::new(Run { sim, records: Vec::new(), folder: None }) })
     }
 
     fn checkpoint<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyBytes>> {
@@ -229,6 +215,11 @@ impl Simulation {
     #[getter]
     fn steps(&self, py: Python<'_>) -> PyResult<u64> {
         self.look(py, |sim| Ok(sim.steps()))
+    }
+
+    /// The scene, with a box that has grown as it is now.
+    fn scene(&self, py: Python<'_>) -> PyResult<Scene> {
+        self.look(py, |sim| Ok(Scene(sim.scene().clone())))
     }
 
     fn grid(&self, py: Python<'_>) -> PyResult<Cells> {

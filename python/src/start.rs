@@ -2,14 +2,17 @@
 
 use std::path::PathBuf;
 
-use numpy::PyReadonlyArray2;
-use pyo3::exceptions::PyTypeError;
+use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use stribeck::sim;
 
-use crate::convert::on_grid;
+use crate::convert::{dictionary, field, on_grid};
 use crate::error::value;
 use crate::scene::Scene;
+
+/// Fields by name and states of a body.
+type Fields<'py> = (Bound<'py, PyDict>, Option<Bound<'py, PyArray1<f64>>>);
 
 #[pyclass(frozen, module = "stribeck._stribeck")]
 pub(crate) struct BodyStart(pub(crate) sim::BodyStart);
@@ -40,19 +43,39 @@ impl BodyStart {
         Ok(Self(start))
     }
 
-    /// It never changes.
-    fn __copy__(this: Py<Self>) -> Py<Self> {
-        this
+    /// Fields by name and the states of the growth law, which [`from_fields`](Self::from_fields) takes.
+    fn fields<'py>(&self, py: Python<'py>) -> PyResult<Fields<'py>> {
+        let grid = self.0.grid();
+        let array = |values: &[f64]| field(py, &grid, values);
+        let fields = dictionary!(py, {
+            "heights": array(self.0.initial())?,
+            "wear": array(self.0.wear())?,
+            "plastic_depth": array(self.0.plastic_depth())?,
+            "tribofilm": array(self.0.tribofilm())?,
+        });
+        let states = self.0.film_states().map(|states| PyArray1::from_slice(py, states));
+        Ok((fields, states))
     }
 
-    fn __deepcopy__(this: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
-        this
-    }
-
-    fn __reduce__(&self) -> PyResult<()> {
-        Err(PyTypeError::new_err(
-            "a BodyStart is not pickled; the fields.npz of a run holds both bodies, see BodyStart.read_npz",
-        ))
+    #[staticmethod]
+    fn from_fields(
+        py: Python<'_>,
+        scene: &Scene,
+        heights: PyReadonlyArray2<'_, f64>,
+        wear: PyReadonlyArray2<'_, f64>,
+        plastic_depth: PyReadonlyArray2<'_, f64>,
+        tribofilm: PyReadonlyArray2<'_, f64>,
+        states: Option<PyReadonlyArray1<'_, f64>>,
+    ) -> PyResult<Self> {
+        let grid = value(py, scene.0.grid())?;
+        let start = sim::BodyStart::new(grid, on_grid(py, "heights", &heights, &grid)?.to_vec())
+            .with_wear(on_grid(py, "wear", &wear, &grid)?.to_vec())
+            .with_plastic_depth(on_grid(py, "plastic_depth", &plastic_depth, &grid)?.to_vec())
+            .with_tribofilm(on_grid(py, "tribofilm", &tribofilm, &grid)?.to_vec());
+        Ok(Self(match states {
+            Some(states) => start.with_film_states(states.as_slice()?.to_vec()),
+            None => start,
+        }))
     }
 
     /// The body `name` (`ball` or `disc`) of the archive of a run on the grid of `scene`.

@@ -10,7 +10,10 @@ All numbers are SI. Fields are arrays of the shape ``(ny, nx)``, x along the flo
 """
 
 from . import analytic, elastic, laws, metrics, surface
-from ._stribeck import __version__
+from ._numbers import units
+from ._stribeck import __version__, set_num_threads as _set_num_threads
+from ._arguments import whole as _whole
+from .bodies import BodyStart, read_body
 from .errors import (
     BusyError,
     CheckpointError,
@@ -28,9 +31,10 @@ from .errors import (
     UnknownNameError,
 )
 from .film import GivenFilm, given_film
-from .history import Body, BodyStart, History, Record, Simulation, read_body
+from .history import Body, History, Record, Simulation
 from .scene import Grid, Scene
 from .solution import Report, Solution, solve
+from .sweeps import Point, Sweep, sweep
 
 __all__ = [
     "Body",
@@ -45,6 +49,7 @@ __all__ = [
     "InterruptedSolve",
     "LawError",
     "NotConvergedError",
+    "Point",
     "Record",
     "Report",
     "Scene",
@@ -56,6 +61,7 @@ __all__ = [
     "StribeckError",
     "StribeckWarning",
     "SurfaceError",
+    "Sweep",
     "UnknownNameError",
     "__version__",
     "analytic",
@@ -64,6 +70,15 @@ __all__ = [
     "laws",
     "metrics",
     "read_body",
+    "set_num_threads",
     "solve",
     "surface",
+    "sweep",
+    "units",
 ]
+
+
+def set_num_threads(threads: int) -> None:
+    """Sets the number of threads of later work in this process; 0 is the default, which is that of the environment variable
+    ``STRIBECK_NUM_THREADS``, else the number of processors. Fields of less than 2^15 nodes take one. Results do not depend on it."""
+    _set_num_threads(_whole("threads", threads, most=1024))

@@ -1,59 +1,190 @@
-"""What tells laws apart in a checkpoint: their names and their constants, wherever Python keeps them."""
+"""Identities of laws in checkpoints: their constants and their code, wherever Python keeps them."""
 
 from __future__ import annotations
 
 import functools
 import hashlib
+import numbers
+import platform
+import sys
 import types
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
-_PLAIN = bool | int | float | complex | str | bytes | type(None) | type(...)
-#: Longest description that is spelled out; of a longer one the digest stands for its end.
-_LONGEST = 200
+from .errors import LawError
+
+_PLAIN = bool | int | float | complex | str | bytes | type(None) | type(...) | numbers.Number
+#: Longest value that is spelled out; of a longer one the digest stands for its end.
+_LONGEST = 80
+#: Objects within each other that are described.
+_DEPTH = 12
+#: Special methods that a law may compute with.
+_SPECIAL = {"__call__", "__getattr__", "__getattribute__", "__getitem__"}
+_PYTHON = ".".join(platform.python_version_tuple()[:2])
 
 
 def identity(law: Any) -> str:
-    """The name of the law and what it computes with: attributes, slots, defaults, closures, bound and partial arguments, and the byte code of
-    a function. What a method keeps under a name that begins with an underscore is its memory and no constant."""
-    text = _described(law, ())
-    if len(text) <= _LONGEST:
+    """The name of the law and, line by line, what it computes with: attributes, slots, defaults, closures, bound and partial arguments, the
+    byte code of its functions, and the functions and constants of the user's modules that they reach. Data under a name that begins with an
+    underscore is memory and no constant. An attribute ``identity`` of the law, a text or a method that returns one, stands in place of all this."""
+    own = getattr(law, "identity", None)
+    if own is not None and not isinstance(law, type):
+        text = own() if callable(own) else own
+        if not isinstance(text, str):
+            raise LawError(f"identity of the law: {text!r} is no text", field="identity", value=text)
         return text
-    return f"{text[:_LONGEST]}... sha256 {_digest(text.encode())}"
+    parts: dict[str, str] = {}
+    for name, text in _parts(law, set()):
+        parts.setdefault(name, text)
+    kind = law if isinstance(law, types.FunctionType) else type(law)
+    return "\n".join([_name(kind), *(f"{name} = {_short(text)}" for name, text in parts.items())])
 
 
 def _digest(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()[:16]
 
 
-def _described(value: Any, within: tuple[int, ...]) -> str:
-    """``value`` in words that are the same for equal values; ``within`` are the objects that are being described."""
-    if isinstance(value, _PLAIN):
-        return repr(value)
-    if id(value) in within:
-        return f"the same {type(value).__qualname__}"
-    within = (*within, id(value))
-    if isinstance(value, np.ndarray | np.generic):
-        return _numbers(np.asarray(value), within)
-    if isinstance(value, list | tuple | set | frozenset):
-        parts = [_described(part, within) for part in value]
-        return f"{type(value).__name__}({', '.join(parts if isinstance(value, list | tuple) else sorted(parts))})"
-    if isinstance(value, dict):
-        return f"dict({', '.join(sorted(f'{_described(key, within)}={_described(part, within)}' for key, part in value.items()))})"
-    if isinstance(value, types.CodeType):
-        names = [value.co_names, value.co_freevars]
-        return f"code({_digest(value.co_code + repr(names).encode())}, {_described(value.co_consts, within)})"
-    return _of_callable(value, within) or f"{_name(type(value))}({_pairs(_attributes(value), within)})"
+def _short(text: str) -> str:
+    return text if len(text) <= _LONGEST and "\n" not in text else f"{text[:40]!r}... sha256 {_digest(text.encode())}"
 
 
 def _name(of: Any) -> str:
     return f"{of.__module__}.{of.__qualname__}"
 
 
-def _pairs(items: Any, within: tuple[int, ...]) -> str:
-    return ", ".join(f"{name}={_described(part, within)}" for name, part in items)
+def _is_own(of: Any) -> bool:
+    """Whether a function, class or module is the user's, neither of the standard library nor of an installed package."""
+    name = of.__name__ if isinstance(of, types.ModuleType) else getattr(of, "__module__", None)
+    root = (name or "").partition(".")[0]
+    if not root or root in ("stribeck", "builtins") or root in sys.stdlib_module_names - {"__main__"}:
+        return False
+    file = getattr(sys.modules.get(name or ""), "__file__", None) or ""
+    return "site-packages" not in file and "dist-packages" not in file
+
+
+def _parts(law: Any, reached: set[int]) -> Iterator[tuple[str, str]]:
+    """Names and descriptions of all that the law computes with; ``reached`` are functions and classes that are described."""
+    if isinstance(law, functools.partial):
+        for place, argument in [*enumerate(law.args), *sorted(law.keywords.items())]:
+            yield f"argument {place}", _described(argument, ())
+        yield from _parts(law.func, reached)
+    elif isinstance(law, types.MethodType):
+        yield from _parts(law.__self__, reached)
+        if isinstance(law.__func__, types.FunctionType):
+            yield from _of_function(law.__func__, reached)
+    elif isinstance(law, types.FunctionType):
+        yield from _of_function(law, reached)
+    elif isinstance(law, type):
+        yield from _of_class(law, reached)
+    else:
+        for name, value in _attributes(law):
+            yield name, _described(value, ())
+            if isinstance(value, types.FunctionType | types.MethodType | functools.partial):
+                yield from ((f"{name}: {part}", text) for part, text in _parts(value, reached))
+        yield from _of_class(type(law), reached)
+
+
+def _of_class(kind: type, reached: set[int]) -> Iterator[tuple[str, str]]:
+    """Of the functions and constants in the bodies of a class and its bases."""
+    for base in kind.__mro__:
+        if id(base) in reached or not _is_own(base):
+            continue
+        reached.add(id(base))
+        for name, member in sorted(vars(base).items()):
+            if name.startswith("__") and name not in _SPECIAL:
+                continue
+            if isinstance(member, types.MemberDescriptorType | types.GetSetDescriptorType):
+                continue
+            functions = [getattr(member, part, None) for part in ("fget", "func", "__func__")] + [member]
+            function = next((found for found in functions if isinstance(found, types.FunctionType)), None)
+            if function is not None:
+                yield from _of_function(function, reached)
+            elif not name.startswith("_"):
+                yield f"{base.__qualname__}.{name}", _described(member, ())
+
+
+def _of_function(function: types.FunctionType, reached: set[int]) -> Iterator[tuple[str, str]]:
+    """Of code, defaults and closure of a function, and of the globals that it reaches."""
+    if id(function) in reached:
+        return
+    reached.add(id(function))
+    name, code = function.__qualname__, function.__code__
+    yield f"code of {name} (Python {_PYTHON})", _of_code(code)
+    defaults = [*(function.__defaults__ or ()), *sorted((function.__kwdefaults__ or {}).items())]
+    if defaults:
+        yield f"defaults of {name}", _described(defaults, ())
+    for variable, cell in zip(code.co_freevars, function.__closure__ or (), strict=True):
+        yield from _reached(f"{name}: {variable}", _cell(cell), reached)
+    names = sorted(_names(code))
+    for variable in names:
+        if variable not in function.__globals__:
+            continue
+        value = function.__globals__[variable]
+        if not isinstance(value, types.ModuleType):
+            yield from _of_global(variable, value, reached)
+        elif _is_own(value):
+            for attribute in names:
+                if hasattr(value, attribute):
+                    yield from _of_global(f"{variable}.{attribute}", getattr(value, attribute), reached)
+
+
+def _of_global(name: str, value: Any, reached: set[int]) -> Iterator[tuple[str, str]]:
+    if isinstance(value, types.FunctionType | type) or not name.rpartition(".")[2].startswith("_"):
+        yield from _reached(name, value, reached)
+
+
+def _reached(name: str, value: Any, reached: set[int]) -> Iterator[tuple[str, str]]:
+    """Of a value that a function refers to."""
+    if isinstance(value, types.FunctionType | type):
+        yield name, _name(value)
+        if _is_own(value):
+            yield from _parts(value, reached)
+    elif not isinstance(value, types.ModuleType):
+        yield name, _described(value, ())
+        if _is_own(type(value)) and id(value) not in reached:
+            reached.add(id(value))
+            yield from _of_class(type(value), reached)
+
+
+def _names(code: types.CodeType) -> set[str]:
+    """Names of globals and attributes in the code and the functions within it."""
+    found = set(code.co_names)
+    for constant in code.co_consts:
+        if isinstance(constant, types.CodeType):
+            found |= _names(constant)
+    return found
+
+
+def _of_code(code: types.CodeType) -> str:
+    names = [code.co_names, code.co_freevars, code.co_varnames]
+    return f"{_digest(code.co_code + repr(names).encode())}, {_described(code.co_consts, ())}"
+
+
+def _described(value: Any, within: tuple[int, ...]) -> str:
+    """``value`` in words that are the same for equal values; ``within`` are the objects that are being described."""
+    if isinstance(value, np.ndarray | np.generic):
+        return _numbers(np.asarray(value), within)
+    if isinstance(value, _PLAIN):
+        return repr(value)
+    if id(value) in within or len(within) > _DEPTH:
+        return f"the same {type(value).__qualname__}"
+    within = (*within, id(value))
+    if isinstance(value, list | tuple | set | frozenset):
+        parts = [_described(part, within) for part in value]
+        return f"{type(value).__name__}({', '.join(parts if isinstance(value, list | tuple) else sorted(parts))})"
+    if isinstance(value, Mapping):
+        return f"dict({', '.join(sorted(f'{_described(key, within)}={_described(part, within)}' for key, part in value.items()))})"
+    if isinstance(value, types.CodeType):
+        return f"code({_of_code(value)})"
+    if isinstance(value, types.FunctionType | types.MethodType | functools.partial):
+        return _digest(repr(list(_parts(value, set(within)))).encode())
+    if isinstance(value, types.ModuleType | type) or hasattr(value, "__qualname__") or hasattr(value, "__name__"):
+        return f"{getattr(value, '__module__', None)}.{getattr(value, '__qualname__', getattr(value, '__name__', None))}"
+    if type(value).__module__.partition(".")[0] in sys.stdlib_module_names - {"__main__"}:
+        return _name(type(value))
+    return f"{_name(type(value))}({', '.join(f'{name}={_described(part, within)}' for name, part in _attributes(value))})"
 
 
 def _numbers(array: np.ndarray[Any, Any], within: tuple[int, ...]) -> str:
@@ -62,22 +193,6 @@ def _numbers(array: np.ndarray[Any, Any], within: tuple[int, ...]) -> str:
     if array.ndim == 0:
         return f"{array.dtype.name}({array.item()!r})"
     return f"array({array.dtype}, {array.shape}, {_digest(np.ascontiguousarray(array).tobytes())})"
-
-
-def _of_callable(value: Any, within: tuple[int, ...]) -> str | None:
-    """Of functions, methods, partial functions, classes and modules; None for other objects."""
-    if isinstance(value, functools.partial):
-        return f"partial({_described((value.func, value.args, value.keywords), within)})"
-    if isinstance(value, types.MethodType):
-        return f"{_described(value.__self__, within)}.{value.__name__}"
-    if isinstance(value, types.FunctionType):
-        cells = [_cell(cell) for cell in value.__closure__ or ()]
-        parts = {"code": value.__code__, "defaults": value.__defaults__, "keywords": value.__kwdefaults__, "closure": cells}
-        return f"{_name(value)}({_pairs(((name, part) for name, part in parts.items() if part), within)})"
-    if isinstance(value, types.ModuleType):
-        return value.__name__
-    name = getattr(value, "__qualname__", getattr(value, "__name__", None))
-    return None if name is None else f"{getattr(value, '__module__', None)}.{name}"
 
 
 def _cell(cell: types.CellType) -> Any:
@@ -89,11 +204,11 @@ def _cell(cell: types.CellType) -> Any:
 
 def _attributes(value: Any) -> Iterator[tuple[str, Any]]:
     """Attributes and slots by name, but for those that begin with an underscore."""
-    slots = {name for kind in type(value).__mro__ for name in _names(getattr(kind, "__slots__", ()))}
+    slots = {name for kind in type(value).__mro__ for name in _slots(getattr(kind, "__slots__", ()))}
     for name in sorted(slots | set(getattr(value, "__dict__", ()))):
         if not name.startswith("_") and hasattr(value, name):
             yield name, getattr(value, name)
 
 
-def _names(slots: Any) -> tuple[str, ...]:
+def _slots(slots: Any) -> tuple[str, ...]:
     return (slots,) if isinstance(slots, str) else tuple(slots)

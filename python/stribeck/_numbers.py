@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import html
+import keyword
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy.typing as npt
 
@@ -34,7 +35,32 @@ _UNITS = {
     "stress": "Pa",
 }
 #: Units of full names.
-_PATHS = {**COLUMNS, "entrainment_speed": "m/s", "spin_radius": "m", "force.lower": "N", "force.upper": "N"}
+_PATHS = {
+    **COLUMNS,
+    "entrainment_speed": "m/s",
+    "spin_radius": "m",
+    "force.lower": "N",
+    "force.upper": "N",
+    "motion.entrainment_speed": "m/s",
+    "load.hertz_pressure": "Pa",
+    "thermal.bulk_temperature": "K",
+    "lubricant.eta0": "Pa s",
+    "lubricant.alpha": "1/Pa",
+    "roughness.ball.rq": "m",
+    "roughness.disc.rq": "m",
+    "elastic.equivalent_modulus": "Pa",
+    "plastic.hardness": "Pa",
+    "form.radius": "m",
+}
+#: Units of fields.
+FIELDS = {
+    "pressure": "Pa",
+    "fluid_pressure": "Pa",
+    "film": "m",
+    "gap": "m",
+    "plastic_depth": "m",
+    "film_temperature": "K",
+}
 
 
 def unit(path: str) -> str:
@@ -44,11 +70,37 @@ def unit(path: str) -> str:
     return "" if path.startswith("error_estimate.") else _UNITS.get(path.rsplit(".", 1)[-1], "")
 
 
+def units(name: str) -> str:
+    """The unit of a number, column, field or key of a scene by its full name, ``units("film.central")``; empty for ratios, counts and words.
+    Numbers are in SI units."""
+    if not isinstance(name, str):
+        raise unknown("name", name, ["the name of a number, such as film.central"])
+    return FIELDS.get(name) or unit(name.removeprefix("scene."))
+
+
+def flat(numbers: Numbers, prefix: str = "") -> dict[str, Any]:
+    """Numbers and words by their full names; no lists."""
+    return {f"{prefix}{name}": value for name, value in numbers.rows() if isinstance(value, bool | int | float | str | None)}
+
+
+def frame(columns: Mapping[str, Any]) -> Any:
+    """A ``pandas.DataFrame`` with the units of its columns in ``attrs``."""
+    import pandas as pd  # type: ignore[import-untyped,unused-ignore]
+
+    made = pd.DataFrame(dict(columns))
+    made.attrs["units"] = {name: units(name) for name in made.columns}
+    return made
+
+
 class Numbers(Mapping[str, Any]):
-    """A read-only table of numbers, nested; ``n.film.central`` is ``n["film"]["central"]``. Of a name that is a word of Python the
+    """A read-only table of numbers, nested; ``n.film.central`` is ``n["film"]["central"]`` and ``n["film.central"]``. Of a name that is a word of Python the
     attribute ends with an underscore: ``n.film.lambda_``."""
 
     __slots__ = ("_path", "_units", "_values")
+
+    _path: str
+    _units: Mapping[str, str] | None
+    _values: dict[str, Any]
 
     def __init__(self, values: Mapping[str, Any], path: str = "", units: Mapping[str, str] | None = None) -> None:
         """``path`` is what stands before the names in their full ones, ``film.``; ``units`` are those of full names where the names are not
@@ -62,6 +114,10 @@ class Numbers(Mapping[str, Any]):
         try:
             return self._values[key]
         except (KeyError, TypeError):
+            first, _, rest = key.partition(".") if isinstance(key, str) else ("", "", "")
+            inner = self._values.get(first)
+            if rest and isinstance(inner, Numbers):
+                return inner[rest]
             raise unknown("name", key, self._values) from None
 
     def __iter__(self) -> Iterator[str]:
@@ -70,20 +126,23 @@ class Numbers(Mapping[str, Any]):
     def __len__(self) -> int:
         return len(self._values)
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("__") or name in Numbers.__slots__:
-            raise AttributeError(name)
-        try:
-            return self._values[name if name in self._values else name.removesuffix("_")]
-        except KeyError:
-            known = ", ".join(self._values)
-            raise AttributeError(f"there is no {name!r} here, but {known}") from None
+    if not TYPE_CHECKING:  # names that a table does not have are found by type checkers
+
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("__") or name in Numbers.__slots__:
+                raise AttributeError(name)
+            try:
+                return self._values[name if name in self._values else name.removesuffix("_")]
+            except KeyError:
+                known = ", ".join(self._values)
+                raise AttributeError(f"there is no {name!r} here, but {known}") from None
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
 
     def __dir__(self) -> list[str]:
-        return sorted([*super().__dir__(), *self._values])
+        names = (f"{name}_" if keyword.iskeyword(name) else name for name in self._values)
+        return sorted({*super().__dir__(), *names})
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.to_dict(), self._path, self._units)
@@ -112,6 +171,16 @@ class Numbers(Mapping[str, Any]):
 
     def _repr_html_(self) -> str:
         return table((name, _text(value), self._unit(name, value)) for name, value in self.rows())
+
+
+class Table(Numbers):
+    """A table whose names type checkers do not know."""
+
+    __slots__ = ()
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any: ...
 
 
 class Fields(dict[str, npt.NDArray[Any]]):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TypeVar
 
 from ._numbers import Numbers
+from ._typed import Residual, Work
 from .errors import NotConvergedError
 
 _Solved = TypeVar("_Solved", bound="Solved")
@@ -15,11 +16,23 @@ class Report(Numbers):
 
     __slots__ = ()
 
+    solver: str
+    status: str
+    residual: Residual
+    energy_error: float | None
+    work: Work
+
 
 class Solved(Numbers):
     """The numbers of a solve with those of its report."""
 
     __slots__ = ()
+
+    solver: str
+    status: str
+    residual: Residual
+    energy_error: float | None
+    work: Work
 
     @property
     def report(self) -> Report:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ._arguments import Quantity, number, numbers, optional_number
-from ._numbers import Numbers
+from ._numbers import Table
 from . import _stribeck
 
 __all__ = ["equivalent_modulus", "hertz_line", "hertz_point", "line_films", "point_films", "westergaard"]
@@ -38,10 +38,10 @@ def hertz_point(
     equivalent_modulus: Quantity,
     load: Quantity | None = None,
     max_pressure: Quantity | None = None,
-) -> Numbers:
+) -> Table:
     """The contact of radii [m] by its load [N] or its maximum pressure [Pa]: ``half_width_x``, ``half_width_y`` [m], ``pressure``, ``mean_pressure``
     [Pa], ``force`` [N], ``area`` [m^2], ``approach`` [m]."""
-    return Numbers(
+    return Table(
         _stribeck.hertz_point(
             number("radius_x", radius_x, "m"),
             number("radius_y", radius_x if radius_y is None else radius_y, "m"),
@@ -55,9 +55,9 @@ def hertz_point(
 
 def hertz_line(
     radius: Quantity, *, equivalent_modulus: Quantity, load: Quantity | None = None, max_pressure: Quantity | None = None
-) -> Numbers:
+) -> Table:
     """The contact of parallel cylinders by its load [N/m] or its maximum pressure [Pa]: ``half_width`` [m], ``pressure`` [Pa], ``force`` [N/m]."""
-    return Numbers(
+    return Table(
         _stribeck.hertz_line(
             number("radius", radius, "m"),
             number("equivalent_modulus", equivalent_modulus, "Pa"),
@@ -77,13 +77,13 @@ def point_films(
     radius: Quantity,
     load: Quantity,
     ellipticity: float = 1.0,
-) -> Numbers:
+) -> Table:
     """Film formulas of a point contact: ``hamrock_dowson_central``, ``hamrock_dowson_minimum``, ``moes_central``, ``film_map.central`` [m], the
     last by the regime ``film_map.regime``, and ``moes.m``, ``moes.l``. Speed in m/s, viscosity in Pa s, pressure-viscosity coefficient in 1/Pa, radius in m, load in N."""
     speed = number("entrainment_speed", entrainment_speed, "m/s")
     oil, solid = _oil(eta0, alpha), _solid(equivalent_modulus, radius)
     loads = number("load", load, "N"), number("ellipticity", ellipticity, "1")
-    return Numbers(_stribeck.point_films(speed, oil, solid, *loads), units=_FILMS)
+    return Table(_stribeck.point_films(speed, oil, solid, *loads), units=_FILMS)
 
 
 def line_films(
@@ -94,17 +94,17 @@ def line_films(
     equivalent_modulus: Quantity,
     radius: Quantity,
     load: Quantity,
-) -> Numbers:
+) -> Table:
     """Film formulas of a line contact: ``dowson_toyoda_central``, ``dowson_minimum``, ``moes_central``, ``film_map.central`` [m],
     the last by the regime ``film_map.regime``, and ``moes.m``, ``moes.l``. Load in N/m."""
     speed = number("entrainment_speed", entrainment_speed, "m/s")
     oil, solid = _oil(eta0, alpha), _solid(equivalent_modulus, radius)
-    return Numbers(_stribeck.line_films(speed, oil, solid, number("load", load, "N/m")), units=_FILMS)
+    return Table(_stribeck.line_films(speed, oil, solid, number("load", load, "N/m")), units=_FILMS)
 
 
-def westergaard(*, amplitude: Quantity, wavelength: Quantity, equivalent_modulus: Quantity, mean_pressure: Quantity) -> Numbers:
+def westergaard(*, amplitude: Quantity, wavelength: Quantity, equivalent_modulus: Quantity, mean_pressure: Quantity) -> Table:
     """The dry contact of a wavy surface with a flat: ``full_contact_pressure`` [Pa] and ``contact_half_width`` [m] under ``mean_pressure`` [Pa]."""
-    return Numbers(
+    return Table(
         _stribeck.westergaard(
             number("amplitude", amplitude, "m"),
             number("wavelength", wavelength, "m"),

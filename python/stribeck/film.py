@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy.typing as npt
 from ._arguments import Quantity, array, cells, number, numbers, truth, whole
 from ._solved import Solved
 from ._stribeck import solve_film
+from ._typed import Flow, Forces
 from .errors import StribeckWarning, found, say
 from .scene import Grid
 
@@ -22,35 +23,55 @@ class GivenFilm(Solved):
     surfaces, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
     and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
 
-    __slots__ = ("_solved", "film", "pressure", "theta", "warnings")
+    __slots__ = ("_rows", "film", "pressure", "theta", "warnings")
 
+    load: float
+    force: Forces
+    flow: Flow
     film: npt.NDArray[np.float64]
     pressure: npt.NDArray[np.float64]
     theta: npt.NDArray[np.float64]
+    _rows: list[tuple[npt.NDArray[np.float64], float | None]]
     warnings: list[StribeckWarning]
 
-    def __init__(self, solved: Any) -> None:
-        super().__init__(solved.numbers())
-        fields = {"film": solved.film(), "pressure": solved.pressure(), "theta": solved.theta()}
-        parts = {"_solved": solved, "warnings": found(solved.warnings()), **fields}
-        for name, value in parts.items():
+    def __init__(
+        self,
+        values: Mapping[str, Any],
+        fields: Mapping[str, npt.NDArray[np.float64]],
+        rows: list[tuple[npt.NDArray[np.float64], float | None]],
+        warnings: list[StribeckWarning],
+    ) -> None:
+        super().__init__(values)
+        for name, value in {"_rows": rows, "warnings": warnings, **fields}.items():
             object.__setattr__(self, name, value)
 
+    @classmethod
+    def _of(cls, solved: Any) -> GivenFilm:
+        fields = {"film": solved.film(), "pressure": solved.pressure(), "theta": solved.theta()}
+        return cls(solved.numbers(), fields, solved.rows(), found(solved.warnings()))
+
     def __reduce__(self) -> tuple[Any, ...]:
-        raise TypeError("a GivenFilm is not pickled; take to_dict(), pressure and theta")
+        fields = {"film": self.film, "pressure": self.pressure, "theta": self.theta}
+        return type(self), (self.to_dict(), fields, self._rows, self.warnings)
 
     def _ended(self) -> str:
         return f"the film ended as {self['status']} with an imbalance of {self['residual']['mass']:.3g}"
 
     def pressure_at(self, x: Quantity, row: int = 0) -> float | None:
         """Pressure [Pa] at ``x`` [m] in a row of the grid; None for a row that it does not have and an ``x`` that is no number."""
-        pressure: float | None = self._solved.pressure_at(number("x", x, "m"), whole("row", row))
-        return pressure
+        place, at = number("x", x, "m"), whole("row", row)
+        if at >= len(self._rows) or np.isnan(place):
+            return None
+        profile, _ = self._rows[at]
+        after = min(int(np.searchsorted(profile[:, 0], place)), len(profile) - 1)
+        (x0, p0), (x1, p1) = profile[max(after - 1, 0)], profile[after]
+        share = min(max((place - x0) / (x1 - x0), 0.0), 1.0) if x1 > x0 else 0.0
+        return float(p0 + share * (p1 - p0))
 
     def reformation(self, row: int = 0) -> float | None:
         """Where [m] the film reforms first along the flow in a row, within its cell; None where it does not."""
-        place: float | None = self._solved.reformation(whole("row", row))
-        return place
+        at = whole("row", row)
+        return self._rows[at][1] if at < len(self._rows) else None
 
 
 def given_film(
@@ -60,6 +81,8 @@ def given_film(
     speeds: tuple[Quantity, Quantity],
     eta0: Quantity,
     alpha: Quantity = 0.0,
+    density_a: Quantity = 0.0,
+    density_b: Quantity = 0.0,
     ambient_pressure: Quantity = 0.0,
     cavitation_pressure: Quantity = 0.0,
     closed_sides: bool = False,
@@ -69,7 +92,8 @@ def given_film(
     ``film`` [m] is an array of the shape ``(ny, nx)``, constant in each cell, or a function of ``x`` and ``y`` [m], which is asked point
     by point and may jump anywhere between two nodes. ``grid`` is a ``Grid.box(...)``; one of a single row is a film that is wide along y.
     ``speeds`` [m/s] are those of the lower and the upper surface along x, ``eta0`` [Pa s] and ``alpha`` [1/Pa] the viscosity
-    ``eta0 exp(alpha p)``. Pressure is ``ambient_pressure`` [Pa] at the edges and nowhere below ``cavitation_pressure`` [Pa]; with
+    ``eta0 exp(alpha p)``, ``density_a`` and ``density_b`` [1/Pa] those of the density ``1 + a p/(1 + b p)`` over that without pressure (0.6e-9 and
+    1.7e-9 for mineral oils; incompressible by default). Pressure is ``ambient_pressure`` [Pa] at the edges and nowhere below ``cavitation_pressure`` [Pa]; with
     ``closed_sides`` nothing flows through the edges across y.
 
     Not converging is a status, see :meth:`GivenFilm.require_converged`. What is unlikely to be meant is said as a
@@ -77,10 +101,11 @@ def given_film(
     """
     on = cells(grid)
     lower, upper = numbers("speeds", speeds, ("m/s", "m/s"))
-    oil = number("eta0", eta0, "Pa s"), number("alpha", alpha, "1/Pa")
+    density = [number("density_a", density_a, "1/Pa"), number("density_b", density_b, "1/Pa")]
+    oil = number("eta0", eta0, "Pa s"), number("alpha", alpha, "1/Pa"), density
     ambient, cavitation = number("ambient_pressure", ambient_pressure, "Pa"), number("cavitation_pressure", cavitation_pressure, "Pa")
     given = film if callable(film) else array("film", film)
     edges = ambient, cavitation, truth("closed_sides", closed_sides)
-    solved = GivenFilm(solve_film(on, given, [lower, upper], oil, edges))
+    solved = GivenFilm._of(solve_film(on, given, [lower, upper], oil, edges))
     say(solved.warnings, 2)
     return solved

@@ -5,65 +5,28 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import (
-    Quantity,
-    array,
-    depths,
-    function,
-    instance,
-    named,
-    number,
-    optional_number,
-    path as _path,
-    refused,
-    truth,
-    whole,
-)
+from ._arguments import Quantity, array, function, named, number, optional_number, refused, truth, whole
+from ._conditions import CONDITIONS, changed
+from ._held import held
 from ._numbers import Fields, Numbers
-from ._stribeck import BodyStart as _BodyStart, Simulation as _Simulation
-from .errors import StribeckWarning, found, say
+from ._stribeck import Simulation as _Simulation
+from ._typed import Conditions
+from .bodies import BodyStart
+from .errors import InputError, StribeckWarning, found, say
+from .kept import Kept
 from .records import Body, History, Record
 from .scene import Grid, Scene, as_scene
-from .solution import Heights, Solution, first_state, parts, with_solver
+from .solution import Heights, Solution, first_state, named_parts, parts, with_solver
 
-__all__ = ["Body", "BodyStart", "History", "Record", "Simulation", "read_body"]
-
-
-def BodyStart(  # noqa: N802
-    scene: Scene,
-    heights: npt.ArrayLike,
-    *,
-    wear: npt.ArrayLike | None = None,
-    plastic_depth: npt.ArrayLike | None = None,
-    tribofilm: npt.ArrayLike | None = None,
-) -> _BodyStart:
-    """A body with a past on the grid of ``scene``: heights of the new body, worn and plastic depth and tribofilm, each of the shape
-    ``(ny, nx)`` [m]."""
-    instance("scene", scene, Scene, "a Scene")
-    return _BodyStart(
-        scene._raw,
-        array("heights", heights),
-        depths("wear", wear),
-        depths("plastic_depth", plastic_depth),
-        depths("tribofilm", tribofilm),
-    )
+__all__ = ["Body", "History", "Record", "Simulation"]
 
 
-def read_body(scene: Scene, path: str | os.PathLike[str], name: str) -> _BodyStart:
-    """The body ``name``, ``ball`` or ``disc``, of the ``fields.npz`` of a run on the grid of ``scene``: arrays ``ball_initial``,
-    ``ball_wear``, ``ball_plastic_depth`` and ``ball_tribofilm``, of which all but the first may be missing."""
-    instance("scene", scene, Scene, "a Scene")
-    if name not in ("ball", "disc"):
-        raise refused("name", name, "ball or disc")
-    return _BodyStart.read_npz(scene._raw, _path("path", path), name)
-
-
-class Simulation:
+class Simulation(Kept):
     """A contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 
     ``heights``, ``bodies``, ``friction``, ``deformation``, ``viscosity``, ``density``, ``plasticity`` and ``solver`` are as in
@@ -78,12 +41,14 @@ class Simulation:
     before the step.
     """
 
+    __slots__ = ("__weakref__", "_given", "_held", "_history", "_in_folder", "_raw", "_scene")
+
     def __init__(
         self,
         scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
         *,
         heights: Heights = None,
-        bodies: tuple[_BodyStart | None, _BodyStart | None] | None = None,
+        bodies: tuple[BodyStart | None, BodyStart | None] | None = None,
         growth: Any = None,
         wear: Any = None,
         friction: Any = None,
@@ -96,7 +61,6 @@ class Simulation:
         start: Solution | None = None,
         squeeze: bool = False,
     ) -> None:
-        self._scene = with_solver(as_scene(scene), solver)
         laws = {
             "growth": growth,
             "wear": wear,
@@ -108,10 +72,35 @@ class Simulation:
             "motion": motion,
             "solver": solver,
         }
-        given, first = parts(heights, bodies, laws), first_state(start, self._scene)
-        with named(given):
-            self._raw = _Simulation(self._scene._raw, given, truth("squeeze", squeeze), first)
+        given = {"heights": heights, "bodies": bodies, "laws": laws, "squeeze": truth("squeeze", squeeze)}
+        self._build(with_solver(as_scene(scene), solver), given, start)
         say(self.warnings, 2)
+
+    def _build(self, scene: Scene, given: dict[str, Any], start: Solution | None = None) -> None:
+        """Begins at the start of ``scene`` with what was ``given`` in place of its parts."""
+        keeper, called = held(given["laws"])
+        built = parts(given["heights"], given["bodies"], called)
+        own = (built["ball_heights"], built["disc_heights"])
+        # the arrays of the caller may change
+        kept = None if all(part is None for part in own) else tuple(None if part is None else part.copy() for part in own)
+        with named(named_parts(built, given["bodies"])):
+            raw = _Simulation(scene._raw, built, given["squeeze"], first_state(start, scene))
+        for name, value in {
+            "_given": {**given, "heights": kept},
+            "_held": keeper,
+            "_history": History(),
+            "_in_folder": False,
+            "_raw": raw,
+            "_scene": scene,
+        }.items():
+            object.__setattr__(self, name, value)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        is_condition = name in CONDITIONS or hasattr(Simulation, name)
+        if type(self) is Simulation or is_condition:
+            words = "change(load=..., motion=...) sets conditions from now on" if is_condition else "it has no such attribute"
+            raise AttributeError(f"{name} of a simulation cannot be set; {words}")
+        object.__setattr__(self, name, value)
 
     @property
     def scene(self) -> Scene:
@@ -135,8 +124,11 @@ class Simulation:
 
     @property
     def history(self) -> History:
-        """The records of all steps since the start, or since the checkpoint that was restored."""
-        return History([Record._of(raw) for raw in self._raw.records(0)])
+        """The records of all steps since the start, or since the checkpoint that was restored; of a run folder those of all its steps. It
+        grows with the simulation."""
+        for raw in self._raw.take_records():
+            self._history.append(Record._of(raw))
+        return self._history
 
     @property
     def grid(self) -> Grid:
@@ -144,9 +136,9 @@ class Simulation:
         return Grid._of(self._raw.grid())
 
     @property
-    def conditions(self) -> Numbers:
+    def conditions(self) -> Conditions:
         """What acts on the contact now: ``load`` [N], ``motion.entrainment_speed`` [m/s], ``motion.slide_roll_ratio``, ``bulk_temperature`` [K]."""
-        return Numbers(self._raw.about()["conditions"])
+        return cast(Conditions, Numbers(self._raw.about()["conditions"]))
 
     @property
     def roughness_motion(self) -> str:
@@ -170,10 +162,11 @@ class Simulation:
         ``plastic_depth`` [m], ``theta`` (filled share of the gap) and ``in_contact``."""
         return Fields(self._raw.fields())
 
-    def starts(self) -> tuple[_BodyStart, _BodyStart]:
+    def starts(self) -> tuple[BodyStart, BodyStart]:
         """Ball and disc as they stand, as ``bodies`` of another run or solve."""
+        scene = Scene._of(self._raw.scene())
         ball, disc = self._raw.starts()
-        return ball, disc
+        return BodyStart._of(scene, ball), BodyStart._of(scene, disc)
 
     def step(self, time_step: Quantity, *, depth: Quantity = math.inf) -> Record:
         """Takes one step of ``time_step`` [s], shorter where a node would wear or grow by more than ``depth`` [m]."""
@@ -181,7 +174,8 @@ class Simulation:
 
     def _step(self, time_step: Quantity, depth: Quantity) -> Record:
         """The step of the caller of the caller."""
-        record = Record._of(self._raw.step(number("time_step", time_step, "s"), number("depth", depth, "m")))
+        self._raw.step(number("time_step", time_step, "s"), number("depth", depth, "m"))
+        record = self.history[-1]
         say(record.warnings, 3)
         return record
 
@@ -216,8 +210,8 @@ class Simulation:
         function("callback", callback)
         end, time_step, depth = number("end", end, "s"), number("time_step", time_step, "s"), number("depth", depth, "m")
         history = History()
-        while (raw := self._raw.step_towards(end, time_step, depth)) is not None:
-            record = Record._of(raw)
+        while self._raw.step_towards(end, time_step, depth):
+            record = self.history[-1]
             say(record.warnings, 2)
             if self._seen(history, record, callback):
                 break
@@ -257,33 +251,22 @@ class Simulation:
         """Mean of a field of a body over the width of the track."""
         return self._raw.mean_on_track(array("field", field))
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a checkpoint: a simulation of the same scene and laws that restores it goes on as this one, to the last bit."""
-        self._raw.save(_path("path", path))
-
-    def restore(self, path: str | os.PathLike[str]) -> None:
-        """Takes over a checkpoint. Raises :class:`~stribeck.CheckpointError` where it is damaged or of another simulation."""
-        self._raw.restore(_path("path", path))
-
-    def restore_under_other_conditions(self, path: str | os.PathLike[str]) -> list[str]:
-        """Takes over a checkpoint of a scene whose load, speeds, oil, friction, temperatures, schedule or solver differ, and returns what
-        does."""
-        return self._raw.restore_under_other_conditions(_path("path", path))
-
-    def fork(self) -> Simulation:
-        """A simulation of its own that stands where this one does."""
-        fork = object.__new__(type(self))
-        fork._scene, fork._raw = self._scene, self._raw.fork()
-        return fork
-
-    def __copy__(self) -> Simulation:
-        return self.fork()
-
-    def __deepcopy__(self, memo: dict[int, Any]) -> Simulation:
-        return self.fork()
-
-    def __reduce__(self) -> Any:
-        raise TypeError("a simulation cannot be pickled: save() writes a checkpoint, which runs no code when it is read")
+    def change(self, **tables: Any) -> None:
+        """Other conditions from now on: tables of the scene as for :meth:`Scene.replace`, ``load``, ``motion``, ``lubricant``, ``friction``,
+        ``thermal``, ``solver`` and ``schedule``, whose times count from now. ``load="20 N"`` is ``load={"force": "20 N"}``. A quantity that
+        is given ends its schedule. Bodies, time and history stay; :attr:`scene` is the new one."""
+        if self._in_folder:
+            message = "change: the simulation writes into a run folder, which holds one scene; close() it first"
+            raise InputError(message, field="change")
+        history, bytes_now, before = self.history, self._raw.checkpoint(), self.warnings
+        other = object.__new__(type(self))
+        other._build(changed(self._scene, tables, self.time), self._given)
+        other._raw.restore_bytes(bytes_now)
+        for name in ("_scene", "_raw", "_held", "_given"):
+            object.__setattr__(self, name, getattr(other, name))
+        object.__setattr__(self, "_history", history)
+        known = [str(warning) for warning in before]
+        say([warning for warning in self.warnings if str(warning) not in known], 2)
 
     def __repr__(self) -> str:
         return f"<Simulation after {self.steps} steps, {self.time:g} s>"

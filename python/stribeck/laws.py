@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from ._arguments import text
 from ._identity import identity
-from ._numbers import Numbers
+from ._numbers import Table
 from ._stribeck import check_visits
 
 if TYPE_CHECKING:
@@ -181,8 +181,8 @@ class ContactState:
     approach: float
 
 
-class ContactProblem(Numbers):
-    """A contact for a solver. Numbers: ``load`` [N] that the pressures in the box carry, ``entrainment_speed`` [m/s], ``spin_radius`` [m] (None without spin), ``contact_film`` [m],
+class ContactProblem(Table):
+    """A contact for a solver. Table: ``load`` [N] that the pressures in the box carry, ``entrainment_speed`` [m/s], ``spin_radius`` [m] (None without spin), ``contact_film`` [m],
     the film at which solids touch (zero in a dry contact), ``lubricated``, ``supplied_film`` [m], ``tolerance`` and ``max_iterations``, and for
     starts ``half_widths`` [m], ``reference_pressure`` [Pa] and ``reference_film`` [m].
     Film: ``gap - approach + displacement(pressure) + plastic depth``."""
@@ -224,11 +224,11 @@ class ContactProblem(Numbers):
         """Density over that without pressure at ``pressure`` [Pa]."""
         return self._raw.density(pressure)
 
-    def evaluate(self, state: ContactState) -> Numbers:
+    def evaluate(self, state: ContactState) -> Table:
         """The residuals of the state as the crate computes them, ``mass``, ``load`` and ``complementarity``; overwrites its ``film``,
         ``plastic_depth``, ``theta`` and ``in_contact`` with those that follow from its pressures. A solution has none above
         ``tolerance``."""
-        return Numbers(self._raw.evaluate(state))
+        return Table(self._raw.evaluate(state))
 
 
 class ContactSolver(Protocol):

@@ -1,4 +1,4 @@
-"""Numbers that describe surfaces, films and contacts. Arrays have the shape ``(ny, nx)``; numbers are SI, or text with a unit.
+"""Table that describe surfaces, films and contacts. Arrays have the shape ``(ny, nx)``; numbers are SI, or text with a unit.
 
 ``heights`` may be an array, a masked array, a :class:`~stribeck.surface.Surface` or what it is made of. Points that are undefined, masked,
 NaN or infinite are left out; ``undefined`` says how many."""
@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from ._arguments import Quantity, array, mask, number, refused, surface_array, text
 from ._exchange import taken
-from ._numbers import Numbers
+from ._numbers import Table
 from . import _stribeck
 from .surface import Boundary
 
@@ -58,31 +58,31 @@ def _surface(heights: Heights, dx: Quantity | None, dy: Quantity | None) -> tupl
     return surface_array("heights", values), float(spacing[0] or 0.0), float(spacing[1] or 0.0)
 
 
-def height_statistics(heights: Heights) -> Numbers:
+def height_statistics(heights: Heights) -> Table:
     """``mean``, ``sa``, ``sq``, ``sp``, ``sv``, ``sz`` [m], ``ssk`` and ``sku`` (ISO 25178-2), and ``undefined``."""
-    return Numbers(_stribeck.height_statistics(_heights(heights)), units=_HEIGHTS)
+    return Table(_stribeck.height_statistics(_heights(heights)), units=_HEIGHTS)
 
 
-def bearing(heights: Heights, *, peaks: float = 0.1, valleys: float = 0.8) -> Numbers:
+def bearing(heights: Heights, *, peaks: float = 0.1, valleys: float = 0.8) -> Table:
     """Core and volume parameters ``sk``, ``spk``, ``svk`` [m], ``smr1``, ``smr2``, ``vmp``, ``vmc``, ``vvc``, ``vvv`` [m^3/m^2] (ISO 25178-2),
     and ``undefined``."""
     shares = number("peaks", peaks, "1"), number("valleys", valleys, "1")
-    return Numbers(_stribeck.bearing(_heights(heights), *shares), units=_BEARING)
+    return Table(_stribeck.bearing(_heights(heights), *shares), units=_BEARING)
 
 
-def hybrid_parameters(heights: Heights, dx: Quantity | None = None, dy: Quantity | None = None) -> Numbers:
+def hybrid_parameters(heights: Heights, dx: Quantity | None = None, dy: Quantity | None = None) -> Table:
     """Root mean square gradient ``sdq`` and developed area ``sdr`` (ISO 25178-2), points ``dx`` and ``dy`` [m] apart (those of a ``Surface``
     unless given), and ``undefined``."""
-    return Numbers(_stribeck.hybrid_parameters(*_surface(heights, dx, dy)))
+    return Table(_stribeck.hybrid_parameters(*_surface(heights, dx, dy)))
 
 
 def spatial_parameters(
     heights: Heights, dx: Quantity | None = None, dy: Quantity | None = None, *, threshold: float = 0.2, boundary: Boundary = "periodic"
-) -> Numbers:
+) -> Table:
     """Correlation length ``sal`` [m] and texture aspect ``str`` (ISO 25178-2); None where the surface is too small to tell; and
     ``undefined``."""
     chosen = number("threshold", threshold, "1"), text("boundary", boundary)
-    return Numbers(_stribeck.spatial_parameters(*_surface(heights, dx, dy), *chosen), units=_SPATIAL)
+    return Table(_stribeck.spatial_parameters(*_surface(heights, dx, dy), *chosen), units=_SPATIAL)
 
 
 def radial_spectrum(
@@ -103,20 +103,20 @@ def contact_statistics(
     load: Quantity,
     half_width_x: Quantity,
     half_width_y: Quantity | None = None,
-) -> Numbers:
+) -> Table:
     """``area``, ``corrected_area`` [m^2], ``area_ratio``, ``corrected_area_ratio`` (of the Hertz ellipse) and ``load_ratio`` of solid contact."""
     fields = mask("in_contact", in_contact), array("solid_pressure", solid_pressure)
     other = half_width_x if half_width_y is None else half_width_y
     widths = [number("half_width_x", half_width_x, "m"), number("half_width_y", other, "m")]
-    return Numbers(_stribeck.contact_statistics(*fields, _cell(dx, dy), number("load", load, "N"), widths), units=_CONTACT)
+    return Table(_stribeck.contact_statistics(*fields, _cell(dx, dy), number("load", load, "N"), widths), units=_CONTACT)
 
 
 def contact_patches(
     in_contact: npt.ArrayLike, *, dx: Quantity, dy: Quantity | None = None, boundary: Boundary = "open"
-) -> Numbers:
+) -> Table:
     """Connected patches of contact: their ``areas`` [m^2], ``perimeter`` [m] and ``corrected_area`` [m^2]."""
     patches = _stribeck.contact_patches(mask("in_contact", in_contact), _cell(dx, dy), text("boundary", boundary))
-    return Numbers(patches, units=_PATCHES)
+    return Table(patches, units=_PATCHES)
 
 
 def composite_rq(first: Quantity, second: Quantity) -> float:

@@ -62,7 +62,8 @@ def map(solution: Solution, name: str = "film", *, ax: Axes | None = None, **opt
     axes = _axes(ax)
     grid = solution.grid
     scale, shown = _SHOWN.get(name, (1.0, ""))
-    extent = tuple(1e6 * edge for edge in (*grid.edges_x, *grid.edges_y))
+    (left, right), (low, high) = grid.edges_x, grid.edges_y
+    extent = 1e6 * left, 1e6 * right, 1e6 * low, 1e6 * high
     image = axes.imshow(values * scale, origin="lower", extent=extent, **options)
     axes.figure.colorbar(image, ax=axes, label=_label(name, shown))
     axes.set_xlabel("x, um")

@@ -9,7 +9,8 @@ from typing import Any, ClassVar, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._numbers import COLUMNS, Numbers, table
+from ._numbers import COLUMNS, Numbers, Table, frame, table, units
+from ._typed import Contact, Film, Flow, Friction, Motion, Plastic, Pressure, Residual, Roughness, Tribofilm, Wear, Work
 from .errors import StribeckWarning, found, unknown
 
 __all__ = ["Body", "History", "Record"]
@@ -35,6 +36,30 @@ class Record(Numbers):
 
     __slots__ = ("warnings",)
 
+    step: int
+    time: float
+    time_step: float
+    load: float
+    motion: Motion
+    bulk_temperature: float
+    roughness: Roughness
+    film: Film
+    pressure: Pressure
+    contact: Contact
+    friction: Friction
+    flow: Flow | None
+    thermal: Table | None
+    flash_rise: float | None
+    wear: Wear
+    tribofilm: Tribofilm
+    plastic: Plastic
+    attempts: int
+    solver: str
+    status: str
+    residual: Residual
+    energy_error: float | None
+    work: Work
+    strategy: str | None
     warnings: list[StribeckWarning]
 
     def __init__(self, values: Mapping[str, Any], warnings: Sequence[StribeckWarning] = ()) -> None:
@@ -65,6 +90,13 @@ class Body(Numbers):
 
     __slots__ = ()
 
+    initial: npt.NDArray[np.float64]
+    surface: npt.NDArray[np.float64]
+    wear: npt.NDArray[np.float64]
+    plastic_depth: npt.NDArray[np.float64]
+    tribofilm: npt.NDArray[np.float64]
+    worn_profile: npt.NDArray[np.float64]
+
     def __repr__(self) -> str:
         return f"<Body of {self['surface'].shape[1]} x {self['surface'].shape[0]} nodes: {', '.join(self)}>"
 
@@ -78,6 +110,7 @@ class History(Sequence[Record]):
 
     def __init__(self, records: Sequence[Record] = (), stopped: bool = False) -> None:
         self._records = list(records)
+        self._columns: dict[str, tuple[npt.NDArray[Any], int]] = {}
         #: Whether the callback ended the run.
         self.stopped = stopped
 
@@ -92,10 +125,24 @@ class History(Sequence[Record]):
     def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
     def __getitem__(self, key: int | slice | str) -> Any:
         if isinstance(key, str):
-            return np.array([record.column(key) for record in self._records])
+            return self._column(key)
         if isinstance(key, slice):
             return History(self._records[key], self.stopped)
         return self._records[key]
+
+    def _column(self, name: str) -> npt.NDArray[Any]:
+        """The values of a column, of which only those of new records are looked up."""
+        if name not in COLUMNS:
+            raise unknown("name", name, COLUMNS)
+        kind = _TEXTS.get(name, np.int64 if name in _WHOLES else np.float64)
+        values, known = self._columns.get(name, (np.empty(0, kind), 0))
+        count = len(self._records)
+        if count > len(values):
+            values = np.concatenate([values[:known], np.empty(max(count, 2 * known) - known, kind)])
+        for place in range(known, count):
+            values[place] = self._records[place].column(name)
+        self._columns[name] = values, count
+        return values[:count].copy()
 
     def __iter__(self) -> Iterator[Record]:
         return iter(self._records)
@@ -121,6 +168,17 @@ class History(Sequence[Record]):
         """Columns by name."""
         rows = self.to_numpy()
         return {name: rows[name] for name in rows.dtype.names or ()}
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame``, a row a step; ``attrs["units"]`` are the units of its columns."""
+        return frame(self.to_dict())
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over the steps, with ``time`` [s] as a coordinate and units as attributes."""
+        import xarray as xr
+
+        columns = {name: ("step", values, {"units": units(name)}) for name, values in self.to_dict().items()}
+        return xr.Dataset(columns).set_coords(["step", "time"])
 
     def __repr__(self) -> str:
         if not self._records:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from ._arguments import Quantity, instance, number, numbers, path, text, truth, whole
-from ._numbers import Numbers
+from ._numbers import Numbers, Table
 from ._stribeck import Cells, Scene as _Scene
+from ._typed import Conditions, Hertz
 from .errors import SceneError, StribeckWarning, found
 
 __all__ = ["Grid", "Scene"]
@@ -29,6 +30,15 @@ class Grid(Numbers):
     ``x``, ``y`` [m]. Fields have the shape ``(ny, nx)``; x is along the flow."""
 
     __slots__ = ("_exact", "_nodes")
+
+    nx: int
+    ny: int
+    dx: float
+    dy: float
+    edges_x: tuple[float, float]
+    edges_y: tuple[float, float]
+    _exact: Cells | None
+    _nodes: Nodes | None
 
     def __init__(self, values: Mapping[str, Any], nodes: Nodes | None = None) -> None:
         super().__init__(values)
@@ -88,6 +98,25 @@ class Scene:
 
     __slots__ = ("_raw",)
 
+    if TYPE_CHECKING:
+        form: Table
+        load: Table
+        motion: Table
+        elastic: Table
+        materials: Table
+        roughness: Table
+        lubricant: Table
+        contact: Table
+        plastic: Table
+        friction: Table
+        thermal: Table
+        tribofilm: Table
+        wear: Table
+        track: Table
+        schedule: Table
+        stress: Table
+        solver: Table
+
     def __init__(
         self,
         source: Scene | Mapping[str, Any] | str | os.PathLike[str] | None = None,
@@ -124,9 +153,12 @@ class Scene:
         """The same scene with other values: ``scene.replace(motion={"entrainment_speed": 0.2}, wear=None)``.
 
         Keys within a table are replaced one by one, and left out where the value is None. ``load``, ``grid``, a table with a ``kind`` and one
-        with another ``law`` are replaced as a whole.
+        with another ``law`` are replaced as a whole. A key may be given by its path: ``scene.replace(**{"motion.entrainment_speed": 0.2})``.
         """
-        return type(self)(_merged(self.to_dict(), tables, ()))
+        merged = self.to_dict()
+        for name, value in tables.items():
+            merged = _merged(merged, _nested(name, value), ())
+        return type(self)(merged)
 
     def to_dict(self) -> dict[str, Any]:
         """The scene as tables and keys, defaults included."""
@@ -141,13 +173,13 @@ class Scene:
         """The cells of the contact."""
         return Grid._of(self._raw.grid())
 
-    def hertz(self) -> Numbers:
+    def hertz(self) -> Hertz:
         """The smooth dry contact: ``radius``, ``half_width_x``, ``half_width_y`` [m], ``pressure`` [Pa], ``force`` [N]."""
-        return Numbers(self._raw.hertz())
+        return cast(Hertz, Numbers(self._raw.hertz()))
 
-    def conditions(self, time: Quantity = 0.0) -> Numbers:
+    def conditions(self, time: Quantity = 0.0) -> Conditions:
         """``load`` [N], ``motion.entrainment_speed`` [m/s], ``motion.slide_roll_ratio`` and ``bulk_temperature`` [K] at ``time`` [s]."""
-        return Numbers(self._raw.conditions(number("time", time, "s")))
+        return cast(Conditions, Numbers(self._raw.conditions(number("time", time, "s"))))
 
     @property
     def warnings(self) -> list[StribeckWarning]:
@@ -157,7 +189,19 @@ class Scene:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and self._raw == other._raw
 
-    __hash__ = None  # type: ignore[assignment]
+    def __hash__(self) -> int:
+        return hash(self.to_toml())
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            """A table of the scene by its name, ``scene.motion.entrainment_speed``."""
+            if name.startswith("_"):
+                raise AttributeError(name)
+            return getattr(Numbers(self.to_dict()), name)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.to_dict()})
 
     def __repr__(self) -> str:
         return f"Scene({self.to_dict()!r})"
@@ -206,6 +250,14 @@ def _plain(tables: Mapping[str, Any], depth: int = 0) -> dict[str, Any]:
     if depth > _MAX_DEPTH:
         raise SceneError("scene: a dictionary contains itself", field="scene")
     return {k: _plain(v, depth + 1) if isinstance(v, Mapping) else v for k, v in tables.items()}
+
+
+def _nested(path: str, value: Any) -> dict[str, Any]:
+    """Tables that hold the value of the key with this path."""
+    for part in reversed(path.split(".")):
+        value = {part: value}
+    nested: dict[str, Any] = value
+    return nested
 
 
 def _merged(base: dict[str, Any], changes: Mapping[str, Any], path: tuple[str, ...]) -> dict[str, Any]:

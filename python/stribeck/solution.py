@@ -10,11 +10,14 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import instance, named, optional_heights, path as _path, refused, text, writing
-from ._numbers import Fields
+from ._held import held
+from ._numbers import Fields, Numbers, Table, flat, frame, units
 from ._solved import Report, Solved
-from ._stribeck import BodyStart, solve as _solve
+from ._stribeck import solve as _solve
+from ._typed import Contact, Errors, Film, Flow, Friction, Hertz, Moes, Pressure, Roughness
+from .bodies import BodyStart
 from .errors import InputError, StribeckWarning, found, say
-from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, compiled
+from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw
 from .scene import Grid, Nodes, Scene, as_scene
 
 __all__ = ["Report", "Solution", "solve"]
@@ -34,14 +37,41 @@ class Solution(Solved):
     ``theta`` (filled share of the gap) and ``in_contact``; with ``lubricant.thermal`` also ``film_temperature`` [K].
     """
 
-    __slots__ = ("_nodes", "fields")
+    __slots__ = ("_nodes", "fields", "scene")
 
+    hertz: Hertz
+    moes: Moes | None
+    film: Film
+    pressure: Pressure
+    contact: Contact
+    friction: Friction
+    roughness: Roughness
+    flow: Flow | None
+    approach: float
+    stress: Table | None
+    thermal: Table | None
+    error_estimate: Errors | None
+    strategy: str | None
+    scheme: str | None
+    face_mobility: str | None
+    cavitation: str | None
+    contact_definition: str | None
+    version: str
+    seconds: float
     fields: dict[str, npt.NDArray[Any]]
+    _nodes: Nodes | None
+    #: The scene that was solved; None for a contact of bodies within a history.
+    scene: Scene | None
 
     def __init__(
-        self, values: Mapping[str, Any], fields: Mapping[str, npt.NDArray[Any]] | None = None, nodes: Nodes | None = None
+        self,
+        values: Mapping[str, Any],
+        fields: Mapping[str, npt.NDArray[Any]] | None = None,
+        nodes: Nodes | None = None,
+        scene: Scene | None = None,
     ) -> None:
         super().__init__(values)
+        object.__setattr__(self, "scene", scene)
         object.__setattr__(self, "fields", Fields(fields or {}))
         object.__setattr__(self, "_nodes", nodes)
 
@@ -63,8 +93,35 @@ class Solution(Solved):
         with writing(place), open(place, "wb") as file:
             np.savez_compressed(file, **arrays)
 
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same contact with the same fields, whatever seconds it took."""
+        if not isinstance(other, Solution):
+            return NotImplemented
+        same = self.fields.keys() == other.fields.keys() and self.scene == other.scene and self["status"] == other["status"]
+        return same and all(np.array_equal(field, other.fields[name]) for name, field in self.fields.items())
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` of one row: the values of the scene, ``scene.load.force``, beside the numbers, ``film.central``;
+        ``attrs["units"]`` are the units of its columns."""
+        inputs = {} if self.scene is None else flat(Numbers(self.scene.to_dict()), "scene.")
+        return frame({name: [value] for name, value in {**inputs, **flat(self)}.items()})
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the fields over ``y`` and ``x`` [m], with units; its attributes are the numbers by their full names and the
+        scene as the text of a file. ``to_netcdf`` and ``to_zarr`` write it as it is."""
+        import xarray as xr
+
+        grid = self.grid
+        fields = {name: (("y", "x"), field, {"units": units(name)}) for name, field in self.fields.items()}
+        places = {"x": ("x", grid.x, {"units": "m"}), "y": ("y", grid.y, {"units": "m"})}
+        numbers = {name: value for name, value in flat(self).items() if value is not None}
+        scene = {} if self.scene is None else {"scene": self.scene.to_toml()}
+        return xr.Dataset(fields, coords=places, attrs={**numbers, **scene})
+
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.to_dict(), self.fields, self._nodes)
+        return type(self), (self.to_dict(), self.fields, self._nodes, self.scene)
 
 
 def solve(
@@ -92,19 +149,20 @@ def solve(
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
     for what cannot be solved.
     """
-    chosen = with_solver(as_scene(scene), solver)
-    laws = {
-        "friction": friction,
-        "deformation": deformation,
-        "viscosity": viscosity,
-        "density": density,
-        "plasticity": plasticity,
-        "solver": solver,
-    }
-    given = parts(heights, bodies, laws)
-    with named(given):
-        solution = Solution(*_solve(chosen._raw, given, first_state(start, chosen)))
+    given = {"friction": friction, "deformation": deformation, "viscosity": viscosity, "density": density, "plasticity": plasticity}
+    solution = _solution(scene, heights=heights, bodies=bodies, solver=solver, start=start, **given)
     say(solution.warnings, 2)
+    return solution
+
+
+def _solution(scene: Any, *, heights: Any = None, bodies: Any = None, solver: Any = None, start: Any = None, **laws: Any) -> Solution:
+    """The solution of :func:`solve`, whose warnings are not said."""
+    chosen = with_solver(as_scene(scene), solver)
+    keeper, called = held({**laws, "solver": solver})
+    given = parts(heights, bodies, called)
+    with named(named_parts(given, bodies)):
+        solution = Solution(*_solve(chosen._raw, given, first_state(start, chosen)), scene=chosen)
+    del keeper
     return solution
 
 
@@ -141,14 +199,20 @@ def parts(
     ball_start, disc_start = _two("bodies", bodies) if bodies is not None else (None, None)
     for name, body in (("ball", ball_start), ("disc", disc_start)):
         if body is not None:
-            instance(f"bodies ({name})", body, BodyStart, "a BodyStart, as Simulation.starts() gives them")
+            instance(f"bodies ({name})", body, BodyStart, "a BodyStart, as of Simulation.starts()")
     return {
         "ball_heights": optional_heights("ball_heights", ball),
         "disc_heights": optional_heights("disc_heights", disc),
-        "ball_start": ball_start,
-        "disc_start": disc_start,
-        "laws": compiled(laws),
+        "ball_start": ball_start and ball_start._raw,
+        "disc_start": disc_start and disc_start._raw,
+        "laws": laws,
     }
+
+
+def named_parts(given: dict[str, Any], bodies: Any) -> dict[str, Any]:
+    """The parts of :func:`parts` as they were given, by the names that errors have for them."""
+    ball, disc = bodies or (None, None)
+    return {**given, "ball_start": ball, "disc_start": disc}
 
 
 def _both(heights: Heights) -> tuple[Any, Any]:

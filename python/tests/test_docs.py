@@ -16,7 +16,7 @@ def test_the_page_runs_as_it_is_pasted(tmp_path: Path, monkeypatch: pytest.Monke
 
     matplotlib.use("Agg")
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.DOTALL)
-    assert len(blocks) == 8
+    assert len(blocks) == 11
     monkeypatch.chdir(tmp_path)
     # The files that the page speaks of.
     scene = stribeck.Scene.azam_2019(32)
@@ -28,3 +28,12 @@ def test_the_page_runs_as_it_is_pasted(tmp_path: Path, monkeypatch: pytest.Monke
     for block in blocks:
         exec(compile(block, "docs/python.md", "exec"), names)
     assert capsys.readouterr().out.count("load.force -3.0") == 1
+
+
+def test_readme_goes_from_scene_to_stribeck_curve(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("pandas")
+    (block,) = re.findall(r"```python\n(.*?)```", (ROOT / "python" / "README.md").read_text(), re.DOTALL)
+    assert len(block.splitlines()) <= 10
+    exec(compile(block, "python/README.md", "exec"), {})
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 7 and "friction.coefficient" in lines[0]

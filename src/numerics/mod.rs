@@ -24,6 +24,8 @@ mod parallel;
 mod precision;
 mod real_fft;
 mod spectrum;
+#[cfg(feature = "parallel")]
+mod threads;
 mod transpose;
 mod tridiagonal;
 mod vectors;
@@ -34,5 +36,7 @@ pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};
 pub(crate) use parallel::{join, map_lines};
 pub(crate) use real_fft::RealFft2;
+#[cfg(feature = "parallel")]
+pub use threads::set_num_threads;
 pub(crate) use tridiagonal::solve_tridiagonal;
 pub(crate) use vectors::{add_scaled, dot};

@@ -15,7 +15,7 @@ const CHUNKS_PER_THREAD: usize = 4;
 /// Number of chunks, each with its own workspace, for fields of `nodes` values.
 #[cfg(feature = "parallel")]
 pub(super) fn chunk_count(nodes: usize) -> usize {
-    let threads = if nodes < PARALLEL_THRESHOLD { 1 } else { rayon::current_num_threads() };
+    let threads = if nodes < PARALLEL_THRESHOLD { 1 } else { super::threads::count() };
     if threads < 2 { 1 } else { CHUNKS_PER_THREAD * threads }
 }
 
@@ -77,7 +77,7 @@ pub(crate) fn join<A: Send, B: Send>(
     first: impl FnOnce() -> A + Send,
     second: impl FnOnce() -> B + Send,
 ) -> (A, B) {
-    rayon::join(first, second)
+    super::threads::join(first, second)
 }
 
 /// Results of two closures; serial fallback.

@@ -108,7 +108,8 @@ fn line(
 
 fn main() -> Result<(), Box<dyn Error>> {
     let seeds = std::env::args().nth(1).map_or(Ok(2), |count| count.parse::<u64>())?.max(1);
-    let base = Scene::load(Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes/dry_history.toml"))?;
+    let base =
+        Scene::load(Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes/dry_history.toml"))?;
     let mut table = format!("{HEADER}\n");
     let mut panels = Vec::new();
     println!("{HEADER}");

@@ -627,6 +627,14 @@ fn texts_that_are_not_understood_are_refused_by_line_and_field() {
         ("# Width: 3 V\n# Height: 3 V\n1 2\n".to_owned(), "width unit \"V\""),
         ("# Value units: V\n1 2\n".to_owned(), "height unit \"V\""),
         ("# Value units: mm\n# z-unit: um\n1 2\n".to_owned(), "z unit = um contradicts value units = mm"),
+        (
+            "# Width: 2 um\n# Height: 1 um\n# Value units: nm\nunit: um\n1 2\n".to_owned(),
+            "unit = um contradicts value units = nm",
+        ),
+        (
+            "\"Image size\",\"2\",\"3\"\n\"Unit\",\"um\"\n1,2\n3,4\n".to_owned(),
+            "4 heights, the header says 2 x 3",
+        ),
         ("# unit: mm\n# units: um\n1 2\n".to_owned(), "units = um contradicts unit = mm"),
         (
             "# x-unit: mm\n# y-unit: mm\n# x-length: 3 um\n# y-length: 3 um\n1 2\n".to_owned(),

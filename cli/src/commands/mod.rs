@@ -7,3 +7,4 @@ pub(crate) mod init;
 pub(crate) mod run;
 pub(crate) mod solve;
 pub(crate) mod surface;
+pub(crate) mod sweep;

@@ -50,13 +50,12 @@ enum Form {
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let mut measured = read(options)?;
-    for warning in measured.warnings() {
-        output::complain("warning", &format!("{}: {warning}", options.file.display()));
-    }
+    let mut warnings = measured.warnings().to_vec();
     prepare(options, &mut measured)?;
     let numbers = Numbers::of(&measured)?;
-    if let Some(words) = dominant_form(&measured) {
-        output::complain("warning", &format!("{}: {words}", options.file.display()));
+    warnings.extend(dominant_form(&measured));
+    for warning in &warnings {
+        output::complain("warning", &format!("{}: {warning}", options.file.display()));
     }
     let mut written = Vec::new();
     if options.output.plot {
@@ -70,7 +69,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         written.extend(picture::write(&page, out, &name)?);
     }
     if options.output.json {
-        output::print(&numbers.to_json())?;
+        output::print(&numbers.to_json(&warnings))?;
     } else {
         output::print(&numbers.to_text().trim_end())?;
     }

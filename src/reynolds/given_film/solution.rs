@@ -71,6 +71,12 @@ impl GivenFilmSolution {
         Some(before[1] + share * (after[1] - before[1]))
     }
 
+    /// Positions \[m\] and pressures \[Pa\] along row `row` from edge to edge, linear in between. `None` for a
+    /// row outside the grid.
+    pub fn profile(&self, row: usize) -> Option<&[[f64; 2]]> {
+        self.profiles.get(row).map(Vec::as_slice)
+    }
+
     /// Position \[m\] of the first reformation along the flow in row `row`, resolved within its cell. `None`
     /// for a full film, without reformation, or for a row outside the grid.
     pub fn reformation(&self, row: usize) -> Option<f64> {

@@ -12,7 +12,7 @@ use crate::sim::contact::boxed_clone::OwnedSolver;
 use crate::sim::contact::friction_laws::boundary_law;
 pub(in crate::sim) use crate::sim::contact::memory::validate_memory;
 use crate::sim::contact::oil::viscosity_law;
-use crate::sim::contact::warnings::reject_units;
+use crate::sim::contact::warnings::{self, Warning, reject_units};
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::{FileRoughness, Roughness, Scene, SolverKind};
@@ -191,6 +191,8 @@ pub(in crate::sim) struct RoughBody {
     pub(in crate::sim) heights: Vec<f64>,
     /// Rq of the measurement \[m\]; `None` for generated heights.
     pub(in crate::sim) measured_rq: Option<f64>,
+    /// Doubts about the file that they are read from.
+    pub(in crate::sim) file_warnings: Vec<Warning>,
 }
 
 /// Heights of one body on the grid.
@@ -199,7 +201,7 @@ pub(in crate::sim) fn heights(roughness: &Roughness, grid: &Grid, body: &str) ->
         return measured(file, grid, body);
     }
     let heights = generated(roughness, grid).map_err(|error| of_body(error, body))?;
-    Ok(RoughBody { heights, measured_rq: None })
+    Ok(RoughBody { heights, measured_rq: None, file_warnings: Vec::new() })
 }
 
 /// Heights of a generated surface.
@@ -249,6 +251,7 @@ fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<RoughBody, 
     let unusable = |reason: String| InputError::Conflict { field: format!("roughness.{body}.path"), reason };
     let mut surface = crate::surface::read(&file.path).map_err(|error| unusable(error.to_string()))?;
     let unfit = |error| unusable(format!("{}: {error}", file.path.display()));
+    let file_warnings = warnings::of_file(body, &surface);
     let mut measured_rq = None;
     let mut heights = if surface.dx().is_none() {
         if (surface.nx(), surface.ny()) != (grid.nx(), grid.ny()) {
@@ -275,7 +278,7 @@ fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<RoughBody, 
         })?;
         measured_rq = None;
     }
-    Ok(RoughBody { heights, measured_rq })
+    Ok(RoughBody { heights, measured_rq, file_warnings })
 }
 
 #[cfg(not(feature = "formats"))]

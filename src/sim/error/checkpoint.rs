@@ -56,13 +56,15 @@ pub enum CheckpointError {
     },
     /// The file belongs to another simulation.
     #[error(
-        "{} belongs to another run: {part} differs; take scene, laws and heights of that run, or begin another one",
-        path.display()
+        "{} belongs to another run: {part} differs{}; take scene, laws and heights of that run, or begin another one",
+        path.display(), if detail.is_empty() { String::new() } else { format!(" ({detail})") }
     )]
     Other {
         /// The file.
         path: PathBuf,
-        /// The part that differs.
+        /// Names of the parts that differ.
         part: String,
+        /// Values of laws that differ, here and in the file; empty for other parts.
+        detail: String,
     },
 }

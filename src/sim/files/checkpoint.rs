@@ -213,6 +213,18 @@ impl MixedLubricationSim {
         self.restore_from(Path::new(IN_MEMORY), bytes, &[]).map(|_| ())
     }
 
+    /// Restores the state from the bytes of [`checkpoint`](Self::checkpoint) under other
+    /// [conditions](Self::restore_under_other_conditions). Returns the names of the parts that differ.
+    ///
+    /// # Errors
+    /// As of [`restore`](Self::restore).
+    pub fn restore_checkpoint_under_other_conditions(
+        &mut self,
+        bytes: &[u8],
+    ) -> Result<Vec<String>, CheckpointError> {
+        self.restore_from(Path::new(IN_MEMORY), bytes, &CONDITIONS)
+    }
+
     /// Restores the state from a file written by [`save`](Self::save). The simulation must be built from the
     /// same scene, laws, motion and heights. Time, steps and all fields are replaced by those of the file. An
     /// error leaves the simulation unchanged.
@@ -257,6 +269,35 @@ impl MixedLubricationSim {
         self.restore_from(path, &read(path)?, &CONDITIONS)
     }
 
+    /// Restores the state from a file written by [`save`](Self::save). The named `parts` may differ: tables of the
+    /// scene (`scene.load`) and laws as errors name them (`wear law`). Returns the names of those that differ.
+    ///
+    /// # Errors
+    /// As of [`restore`](Self::restore); the simulation is then as before.
+    ///
+    /// ```
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("checkpoint");
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut run = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+    /// run.step(10.0)?;
+    /// run.save(&path)?;
+    /// let mut scene = Scene::azam_2019(32);
+    /// scene.wear = None;
+    /// let mut other = MixedLubricationSim::builder(scene).build()?;
+    /// assert!(other.restore(&path).is_err());
+    /// assert_eq!(other.restore_accepting(&path, &["scene.wear"])?, ["scene.wear"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn restore_accepting(
+        &mut self,
+        path: impl AsRef<Path>,
+        parts: &[&str],
+    ) -> Result<Vec<String>, CheckpointError> {
+        let path = path.as_ref();
+        self.restore_from(path, &read(path)?, parts)
+    }
+
     /// The box of the saved run if it has grown from the box of this one.
     fn grown_to(&self, saved: &Identity) -> Option<GridSpec> {
         let GridSpec::Growing { nx, ny, .. } = self.scene.grid else { return None };
@@ -286,7 +327,11 @@ impl MixedLubricationSim {
         let damaged = |reason: String| CheckpointError::Damaged { path: path.to_owned(), reason };
         let content: Content<'_> =
             postcard::from_bytes(content).map_err(|error| damaged(error.to_string()))?;
-        let other = |part: &str| CheckpointError::Other { path: path.to_owned(), part: part.to_owned() };
+        let other = |part: &str, detail: String| CheckpointError::Other {
+            path: path.to_owned(),
+            part: part.to_owned(),
+            detail,
+        };
         if let Some(grid) = self.grown_to(&content.identity) {
             let mut wide = self.rebuilt(grid).map_err(|error| damaged(error.to_string()))?;
             let differences = wide.restore_from(path, bytes, allowed)?;
@@ -296,14 +341,14 @@ impl MixedLubricationSim {
         let own = self.identity().map_err(|error| damaged(error.to_string()))?;
         let differences = own.differences(&content.identity);
         if !differences.iter().all(|part| allowed.contains(&part.as_str())) {
-            return Err(other(&differences.join(", ")));
+            return Err(other(&differences.join(", "), own.details(&content.identity)));
         }
         for (name, (own, saved)) in
             ["ball_heights", "disc_heights"].into_iter().zip(self.bodies.iter().zip(&content.bodies))
         {
             // A box that has grown combines heights of two generations: they cannot be compared.
             if !self.scene.grid.grows() && !same_bits(own.initial(), &saved.initial) {
-                return Err(other(name));
+                return Err(other(name, String::new()));
             }
         }
         let grid = self.contact.grid;

@@ -75,6 +75,8 @@ pub struct SimBuilder {
     pub(in crate::sim) starts: [Option<BodyStart>; 2],
     /// Rq of the files of measured surfaces after reading \[m\].
     measured_rq: [Option<f64>; 2],
+    /// Warnings about the files of measured surfaces after reading.
+    file_warnings: Vec<Warning>,
     /// Start of a single contact, or of the first one of a history.
     pub(in crate::sim) contact_start: Option<ContactState>,
 }
@@ -112,6 +114,7 @@ impl SimBuilder {
             heights: [None, None],
             starts: [None, None],
             measured_rq: [None, None],
+            file_warnings: Vec::new(),
             contact_start: None,
         }
     }
@@ -408,6 +411,7 @@ impl SimBuilder {
                 found.extend(measured.and_then(|rq| warnings::lost_rq(index, bodies[index].initial(), rq)));
             }
         }
+        found.extend_from_slice(&self.file_warnings);
         let viscosity = contact.lubricant.as_ref().filter(|_| replaced.viscosity).map(Lubricant::viscosity);
         let growth = laws.growth.as_ref().filter(|_| replaced.growth);
         found.extend(warnings::of_own_laws(viscosity, growth.map(|law| law.maximum_thickness())));
@@ -495,6 +499,7 @@ impl SimBuilder {
             None => {
                 let rough = setup::heights(roughness, &contact.grid, name)?;
                 self.measured_rq[index] = rough.measured_rq;
+                self.file_warnings.extend(rough.file_warnings);
                 rough.heights
             }
         };

@@ -29,6 +29,8 @@ pub(in crate::sim) const CONDITIONS: [&str; 11] = [
 ];
 /// Version of this description.
 const VERSION: u32 = 1;
+/// Largest number of lines of a description in an error.
+const MOST_LINES: usize = 4;
 /// Description of a part that follows from the scene.
 const OF_SCENE: &str = "of the scene";
 
@@ -47,6 +49,23 @@ impl Identity {
     /// The grid of the scene.
     pub(in crate::sim) fn grid(&self) -> Option<GridSpec> {
         Scene::from_toml(&self.scene).ok().map(|scene| scene.grid)
+    }
+
+    /// Differences of laws: the lines of their descriptions that are not in both.
+    pub(in crate::sim) fn details(&self, saved: &Self) -> String {
+        let mut details = Vec::new();
+        for (name, words) in &self.parts {
+            let Some((_, then)) = saved.parts.iter().find(|part| part.0 == *name && part.1 != *words) else {
+                continue;
+            };
+            let lacks = |text: &str, other: &str| -> Vec<String> {
+                let lines = text.lines().filter(|line| !other.lines().any(|other| other == *line));
+                lines.take(MOST_LINES).map(str::to_owned).collect()
+            };
+            let (here, there) = (lacks(words, then).join(", "), lacks(then, words).join(", "));
+            details.push(format!("{name}: here {here}; in the file {there}"));
+        }
+        details.join("; ")
     }
 
     /// Names of the parts that differ.

@@ -87,6 +87,43 @@ impl BodyStart {
         self.with_film(thickness)
     }
 
+    /// The same body with the `states` of its growth law, all of a node together, under the same film.
+    #[must_use]
+    pub fn with_film_states(mut self, states: Vec<f64>) -> Self {
+        self.states = Some(states);
+        self
+    }
+
+    /// The grid that the body lives on.
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// Heights of the new body \[m\].
+    pub fn initial(&self) -> &[f64] {
+        &self.initial
+    }
+
+    /// Worn depth \[m\].
+    pub fn wear(&self) -> &[f64] {
+        &self.wear
+    }
+
+    /// Plastic depth \[m\].
+    pub fn plastic_depth(&self) -> &[f64] {
+        &self.plastic
+    }
+
+    /// Thickness of the tribofilm \[m\].
+    pub fn tribofilm(&self) -> &[f64] {
+        &self.tribofilm
+    }
+
+    /// States of the growth law, all of a node together, where they are known.
+    pub fn film_states(&self) -> Option<&[f64]> {
+        self.states.as_deref()
+    }
+
     fn with_film(mut self, thickness: Vec<f64>) -> Self {
         self.tribofilm = thickness;
         self

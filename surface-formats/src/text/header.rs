@@ -1,9 +1,10 @@
 //! Headers of text files: pairs of keys and values.
 
+mod both_axes;
 mod resolved;
 
 use super::keys::{Key, meaning};
-use super::number::{is_undefined, parse_height};
+use super::number::is_undefined;
 use super::pairs::{pairs, plain_key, quantity, split_unit};
 use super::style::{Line, unquoted};
 use crate::error::Error;
@@ -157,6 +158,7 @@ impl Header {
                     })?;
                 set(source, &mut self.counts[axis], &name, count, usize::eq, usize::to_string)
             }
+            Key::Counts => self.take_counts(source, &name, value),
             Key::Size(axis) => self.set_length(source, &name, axis, true, length(value, None)?),
             Key::SizeInNanometres(axis) => {
                 let length = length(value, Some(LengthUnit::Nanometre))?;
@@ -223,29 +225,6 @@ impl Header {
         let number = quantity(value)
             .ok_or_else(|| source.corrupt(format!("{key} = {} is not a number", shortened(value))))?;
         *slot(self) = Some(number.0);
-        Ok(())
-    }
-
-    /// Takes the lengths along x and y in one unit: `1000 500 nm`, or one for both.
-    fn take_sizes(&mut self, source: Source<'_>, key: &str, value: &str) -> Result<(), Error> {
-        let wrong = || source.corrupt(format!("{key} = {} is not a length", shortened(value)));
-        let words: Vec<&str> = value.split_whitespace().collect();
-        let numbers: Vec<f64> = words.iter().map_while(|word| parse_height(word)).collect();
-        let unit = match words.get(numbers.len()) {
-            Some(name) => Some(source.unit(name, key)?),
-            None => None,
-        };
-        let sizes = match *numbers.as_slice() {
-            [size] => [size, size],
-            [x, y] => [x, y],
-            _ => return Err(wrong()),
-        };
-        for (axis, value) in sizes.into_iter().enumerate() {
-            if value.is_nan() || value <= 0.0 {
-                return Err(wrong());
-            }
-            self.set_length(source, key, axis, true, Length { value, unit, default: None })?;
-        }
         Ok(())
     }
 

@@ -5,6 +5,8 @@
 pub(super) enum Key {
     /// Number of points along an axis.
     Count(usize),
+    /// Numbers of points along both axes.
+    Counts,
     /// Length of the surface along an axis.
     Size(usize),
     /// The same in nanometres where no unit is given.
@@ -51,6 +53,7 @@ pub(super) fn meaning(key: &str) -> Option<Key> {
         "y pixels" | "ny" | "h" | "nrows" | "vertical" | "rows" | "lines" | "number of lines" => {
             Key::Count(1)
         }
+        "image size" => Key::Counts,
         "x length" => Key::SizeInNanometres(0),
         "y length" => Key::SizeInNanometres(1),
         "width"

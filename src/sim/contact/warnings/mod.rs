@@ -25,6 +25,8 @@ use crate::grid::Grid;
 use crate::metrics::height_statistics;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::{BODIES, Scene};
+#[cfg(feature = "formats")]
+use crate::surface::Heights;
 
 /// Share of the Rq of a measured surface that its way onto the grid may cost without a word.
 const LARGEST_LOSS: f64 = 0.1;
@@ -46,7 +48,8 @@ const LARGEST_LOSS: f64 = 0.1;
 pub struct Warning {
     /// The key of the scene, or the number of the solution, that it is about.
     pub field: String,
-    /// Its value, in SI units.
+    /// Its value, in SI units; NaN where it has none.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number_or_nan"))]
     pub value: f64,
     /// What is wrong with it.
     pub message: String,
@@ -61,9 +64,23 @@ impl Warning {
     }
 }
 
+/// A number; in texts also null, which stands for NaN in JSON.
+#[cfg(feature = "serde")]
+fn number_or_nan<'de, D: serde::Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    use serde::Deserialize;
+    if from.is_human_readable() {
+        Ok(Option::deserialize(from)?.unwrap_or(f64::NAN))
+    } else {
+        f64::deserialize(from)
+    }
+}
+
 impl fmt::Display for Warning {
-    /// One line: `field = value: message; remedy`.
+    /// One line: `field = value: message; remedy`, without the value where it is NaN.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.value.is_nan() {
+            return write!(f, "{}: {}; {}", self.field, self.message, self.remedy);
+        }
         write!(f, "{} = {}: {}; {}", self.field, short(self.value), self.message, self.remedy)
     }
 }
@@ -80,6 +97,22 @@ impl Scene {
         list.extend(mesh::known_waves(self));
         list
     }
+}
+
+/// Doubts about the file of the measured `surface` of a `body`: heights without unit, and those of its reader.
+#[cfg(feature = "formats")]
+pub(in crate::sim) fn of_file(body: &str, surface: &Heights) -> Vec<Warning> {
+    let field = format!("roughness.{body}.path");
+    let without_unit = "the file names no unit of its heights, they are taken as metres";
+    let name_it = "name the unit in a text file (a line `unit: um`), or convert the file to x3p";
+    let look = "`stribeck surface FILE` reports the heights as they are read";
+    let mut list = Vec::new();
+    if surface.unit().is_none() {
+        list.push(Warning::new(&field, f64::NAN, without_unit.to_owned(), name_it.to_owned()));
+    }
+    let others = surface.warnings().iter().filter(|words| !words.starts_with("the unit of the heights"));
+    list.extend(others.map(|words| Warning::new(&field, f64::NAN, words.clone(), look.to_owned())));
+    list
 }
 
 /// Warnings about `heights` \[m\] of the `body` from a file or a caller.

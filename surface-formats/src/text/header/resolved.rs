@@ -38,6 +38,15 @@ impl Header {
             let what = format!("{} = {own} contradicts the unit {title} of the title", given.key);
             return Err(source.corrupt(what));
         }
+        if let (Some(own), Some(given), Some(unit)) = (own, &self.height_unit, &self.unit)
+            && unit.value != own
+            && self.describes_matrix()
+            && !self.lengths_take_common_unit()
+        {
+            let (first, second) = (&given.key, &unit.key);
+            let what = format!("{second} = {} contradicts {first} = {own}; leave one of them", unit.value);
+            return Err(source.corrupt(what));
+        }
         let unit = title.or(own).or(self.unit.as_ref().map(|given| given.value));
         if let (None, Some(nanometres)) = (unit, self.nanometres) {
             let unit = Some(LengthUnit::Nanometre);
@@ -106,6 +115,15 @@ impl Header {
     /// Unit of positions along an axis that have none of their own.
     pub(in crate::text) fn lateral_unit(&self, axis: usize) -> Option<LengthUnit> {
         [&self.lateral_units[axis], &self.unit].into_iter().flatten().map(|given| given.value).next()
+    }
+
+    /// Whether a length of the header has neither a unit of its own nor one of its axis.
+    fn lengths_take_common_unit(&self) -> bool {
+        let is_bare = |axis: usize| {
+            let lengths = [&self.sizes[axis], &self.spacings[axis]];
+            lengths.into_iter().flatten().any(|given| given.value.unit.is_none())
+        };
+        (0..2).any(|axis| self.lateral_units[axis].is_none() && is_bare(axis))
     }
 
     /// The warnings that the header gives rise to.

@@ -1,0 +1,179 @@
+"""Names of numbers for type checkers. At run time each table is a :class:`~stribeck._numbers.Numbers`; a test compares these classes with what
+solves and steps return."""
+
+from __future__ import annotations
+
+from ._numbers import Numbers
+
+
+class Residual(Numbers):
+    """Residuals of the equations."""
+
+    __slots__ = ()
+    mass: float
+    load: float
+    complementarity: float
+
+
+class Work(Numbers):
+    """Work of a solve."""
+
+    __slots__ = ()
+    convolutions: float
+    iterations: int
+    inner_iterations: int
+
+
+class Hertz(Numbers):
+    """The smooth dry contact."""
+
+    __slots__ = ()
+    half_width_x: float
+    half_width_y: float
+    angle: float
+    radius: float
+    area: float
+    pressure: float
+    force: float
+
+
+class Moes(Numbers):
+    """Dimensionless load and material parameter."""
+
+    __slots__ = ()
+    m: float
+    l: float  # noqa: E741
+
+
+class Film(Numbers):
+    """Film thickness."""
+
+    __slots__ = ()
+    central: float
+    minimum: float
+    mean_central: float
+    minimum_gap: float
+    lambda_: float | None
+    formula_lambda: float | None
+
+
+class Pressure(Numbers):
+    """Pressures, and the load outside the box."""
+
+    __slots__ = ()
+    max: float
+    central: float
+    mean: float
+    load_outside: float
+
+
+class Contact(Numbers):
+    """Solid contact."""
+
+    __slots__ = ()
+    area_ratio: float
+    load_ratio: float
+    area: float
+    corrected_area_ratio: float
+    corrected_area: float
+    plastic_area: float
+    film_cutoff: float
+
+
+class Friction(Numbers):
+    """Friction coefficients."""
+
+    __slots__ = ()
+    coefficient: float
+    boundary: float
+    fluid: float
+
+
+class Roughness(Numbers):
+    """Rq of both bodies and of both together."""
+
+    __slots__ = ()
+    ball_rq: float
+    disc_rq: float
+    composite_rq: float
+
+
+class Flow(Numbers):
+    """Flow through the box."""
+
+    __slots__ = ()
+    inflow: float
+    outflow: float
+    imbalance: float
+
+
+class Errors(Numbers):
+    """Estimated errors."""
+
+    __slots__ = ()
+    film_central: float
+    film_minimum: float
+    pressure_max: float
+    film_mean_central: float
+    contact_load_ratio: float
+    contact_area_ratio: float
+    friction_coefficient: float
+    film_by_box: float
+
+
+class Motion(Numbers):
+    """Speeds."""
+
+    __slots__ = ()
+    entrainment_speed: float
+    slide_roll_ratio: float
+
+
+class Wear(Numbers):
+    """Worn depths and volumes."""
+
+    __slots__ = ()
+    ball_mean: float
+    disc_mean: float
+    ball_max: float
+    disc_max: float
+    ball_in_contact: float
+    disc_in_contact: float
+    ball_volume: float
+    disc_volume: float
+
+
+class Tribofilm(Numbers):
+    """Thicknesses of tribofilms."""
+
+    __slots__ = ()
+    ball_mean: float
+    disc_mean: float
+    ball_max: float
+    disc_max: float
+    ball_in_contact: float
+    disc_in_contact: float
+
+
+class Plastic(Numbers):
+    """Plastic flattening."""
+
+    __slots__ = ()
+    volume: float
+
+
+class Conditions(Numbers):
+    """Conditions of a contact."""
+
+    __slots__ = ()
+    load: float
+    motion: Motion
+    bulk_temperature: float
+
+
+class Forces(Numbers):
+    """Shear forces on both surfaces."""
+
+    __slots__ = ()
+    lower: float
+    upper: float

@@ -1,0 +1,26 @@
+"""Films that are given, beside the literature."""
+
+from __future__ import annotations
+
+import pytest
+
+import stribeck
+
+
+def pocket(x: float, y: float) -> float:
+    """The pocket of finite width of Bertocchi et al. (2013) in a slight wedge [m]."""
+    inside = 4e-3 < x < 10e-3 and abs(y) < 3.5e-3
+    return 1.1e-6 - 0.1e-6 * x / 20e-3 + (0.4e-6 if inside else 0.0)
+
+
+def test_compressible_oil_has_the_published_peak_of_a_pocket() -> None:
+    grid = stribeck.Grid.box(100, 50, (0.0, "20 mm"), ("-5 mm", "5 mm"))
+    keys = {"speeds": (1.0, 0.0), "eta0": 0.01, "alpha": 1.2e-8}
+    stiff = stribeck.given_film(pocket, grid, **keys).require_converged()
+    soft = stribeck.given_film(pocket, grid, **keys, density_a="0.6 1/GPa", density_b=1.7e-9).require_converged()
+    # 8.50 MPa, read from a figure
+    assert soft.pressure.max() == pytest.approx(8.50e6, rel=0.04)
+    assert stiff.pressure.max() / soft.pressure.max() == pytest.approx(1.048, abs=0.01)
+    for name in ("density_a", "density_b"):
+        with pytest.raises(stribeck.InputError, match=name):
+            stribeck.given_film(pocket, grid, **keys, **{name: -1e-9})

@@ -1,0 +1,178 @@
+"""Sweeps: the same points and bits for any executor, kept and resumed."""
+
+from __future__ import annotations
+
+
+import pickle
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import stribeck
+
+SPEEDS = [0.05, 0.1, 0.2, 0.4, 0.8]
+LOADS = ["10 N", "20 N"]
+OVER = {"motion.entrainment_speed": SPEEDS, "load.force": LOADS}
+
+
+@pytest.fixture
+def coarse() -> stribeck.Scene:
+    return stribeck.Scene.azam_2019(16).replace(solver={"tolerance": 1e-4})
+
+
+def peak(solution: stribeck.Solution) -> dict[str, Any]:
+    return {"peak": solution.fields["pressure"].max(), "rows": solution.grid.ny}
+
+
+def fails_at_one(solution: stribeck.Solution) -> float:
+    if solution.hertz.force > 15.0:
+        raise ZeroDivisionError("no such value")
+    return 1.0
+
+
+def columns(sweep: stribeck.Sweep) -> dict[str, Any]:
+    return {name: values for name, values in sweep.to_dict().items() if name != "seconds"}
+
+
+def test_points_are_those_of_single_solves(coarse: stribeck.Scene) -> None:
+    sweep = stribeck.sweep(coarse, OVER, measure=peak)
+    assert len(sweep) == 10 and not sweep.failed
+    point = sweep[3]
+    assert point.inputs == {"motion.entrainment_speed": 0.1, "load.force": 20.0}
+    solution = stribeck.solve(coarse.replace(load={"force": 20.0}, motion={"entrainment_speed": 0.1}))
+    assert point.film.central == solution.film.central and point.measured["peak"] == solution.fields["pressure"].max()
+    assert sweep["film.central"][3] == solution.film.central and sweep["peak"][3] == point.measured["peak"]
+    assert sweep["load.force"].tolist() == [10.0, 20.0] * 5
+    again = pickle.loads(pickle.dumps(sweep))
+    assert again[3].to_dict() == point.to_dict() and again[3].inputs == point.inputs
+
+
+def test_any_executor_returns_the_same_bits(coarse: stribeck.Scene) -> None:
+    joblib, distributed = pytest.importorskip("joblib"), pytest.importorskip("distributed")
+    expected = columns(stribeck.sweep(coarse, OVER, measure=peak))
+    with ThreadPoolExecutor(3) as executor:
+        found = [stribeck.sweep(coarse, OVER, measure=peak, executor=executor)]
+    for method in ("fork", "spawn"):
+        with ProcessPoolExecutor(2, mp_context=get_context(method)) as executor:
+            found.append(stribeck.sweep(coarse, OVER, measure=peak, executor=executor))
+    found.append(stribeck.sweep(coarse, OVER, measure=peak, executor=joblib.Parallel(2)))
+    with distributed.Client(n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None) as client:
+        found.append(stribeck.sweep(coarse, OVER, measure=peak, executor=client))
+    for sweep in found:
+        for name, values in columns(sweep).items():
+            np.testing.assert_array_equal(values, expected[name], name)
+
+
+def test_points_that_fail_are_kept_and_named(coarse: stribeck.Scene) -> None:
+    sweep = stribeck.sweep(coarse, {"load.force": [10.0, -3.0, 20.0]}, measure=lambda solution: {"force": solution.hertz.force})
+    assert sweep["status"].tolist() == ["converged", "refused", "converged"]
+    (failed,) = sweep.failed
+    assert failed.inputs == {"load.force": -3.0} and "load.force" in (failed.error or "")
+    assert np.isnan(sweep["film.central"][1]) and sweep["force"][2] == pytest.approx(20.0, rel=1e-12)
+    sweep = stribeck.sweep(coarse, OVER, measure=fails_at_one)
+    assert [point.inputs["load.force"] for point in sweep.failed] == [20.0] * 5
+    assert all("ZeroDivisionError: no such value" in (point.error or "") for point in sweep.failed)
+    odd = stribeck.sweep(coarse, {"load.force": [10.0]}, measure=lambda solution: solution.fields)
+    assert "ndarray" in (odd[0].error or "") and odd[0].status == "converged"
+
+
+def test_zip_goes_side_by_side(coarse: stribeck.Scene) -> None:
+    sweep = stribeck.sweep(coarse, {"motion.entrainment_speed": [0.1, 0.2], "load.force": [10, 20]}, how="zip")
+    assert [point.inputs["load.force"] for point in sweep] == [10.0, 20.0]
+    assert sweep.to_xarray()["film.central"].dims == ("point",)
+
+
+def test_what_does_not_fit_is_refused(coarse: stribeck.Scene, tmp_path: Path) -> None:
+    with pytest.raises(stribeck.SceneError, match="entrainment_sped"):
+        stribeck.sweep(coarse, {"motion.entrainment_sped": [1.0]})
+    with pytest.raises(stribeck.InputError, match="different lengths"):
+        stribeck.sweep(coarse, {"motion.entrainment_speed": [1.0], "load.force": [1.0, 2.0]}, how="zip")
+    for over in ({}, {"load.force": 3.0}, {"load.force": "3 N"}):
+        with pytest.raises(stribeck.InputError, match="over"):
+            stribeck.sweep(coarse, over)  # type: ignore[arg-type]
+    for keywords in ({"how": "both"}, {"executor": 3}, {"shard": (2, 2)}, {"shard": 1}, {"law": 1}, {"measure": 1}):
+        with pytest.raises(stribeck.InputError):
+            stribeck.sweep(coarse, {"load.force": [1.0]}, **keywords)  # type: ignore[arg-type]
+    stribeck.sweep(coarse, {"load.force": [10.0]}, folder=tmp_path)
+    with pytest.raises(stribeck.InputError, match="another sweep: over differ"):
+        stribeck.sweep(coarse, {"load.force": [11.0]}, folder=tmp_path)
+    with pytest.raises(stribeck.InputError, match="scene differ"):
+        stribeck.sweep(coarse.replace(wear=None), {"load.force": [10.0]}, folder=tmp_path)
+
+
+class Dying(Executor):
+    """Does two tasks and fails."""
+
+    def __init__(self) -> None:
+        self.left = 2
+
+    def submit(self, function: Any, /, *arguments: Any, **keywords: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        self.left -= 1
+        if self.left >= 0:
+            future.set_result(function(*arguments, **keywords))
+        else:
+            future.set_exception(RuntimeError("the node is gone"))
+        return future
+
+
+def test_points_of_an_executor_that_dies_are_solved_later(coarse: stribeck.Scene, tmp_path: Path) -> None:
+    sweep = stribeck.sweep(coarse, OVER, folder=tmp_path, executor=Dying())
+    assert sweep["status"].tolist().count("lost") == 8 and "the node is gone" in (sweep.failed[0].error or "")
+    before = {path.name: path.stat().st_mtime_ns for path in tmp_path.glob("point_*.json")}
+    assert len(before) == 2
+    whole = stribeck.sweep(coarse, OVER, folder=tmp_path)
+    assert not whole.failed
+    assert {path.name: path.stat().st_mtime_ns for path in tmp_path.glob("point_*.json")}.items() >= before.items()
+
+
+def test_shards_fill_one_folder(coarse: stribeck.Scene, tmp_path: Path) -> None:
+    assert len(stribeck.sweep(coarse, OVER, folder=tmp_path, shard=(0, 3))) == 4
+    assert len(stribeck.sweep(coarse, OVER, folder=tmp_path, shard=(2, 3))) == 7
+    stribeck.sweep(coarse, OVER, folder=tmp_path, shard=(1, 3))
+    whole = stribeck.sweep(coarse, OVER, folder=tmp_path, executor=Dying())
+    assert len(whole) == 10 and not whole.failed
+
+
+KILLED = """
+import stribeck, sys
+scene = stribeck.Scene.azam_2019(64)
+stribeck.sweep(scene, {"motion.entrainment_speed": [0.05 * k for k in range(1, 60)]}, folder=sys.argv[1])
+"""
+
+
+def test_sweep_survives_a_kill(tmp_path: Path) -> None:
+    process = subprocess.Popen([sys.executable, "-W", "ignore", "-c", KILLED, str(tmp_path)])
+    end = time.monotonic() + 60.0
+    while len(list(tmp_path.glob("point_*.json"))) < 3 and time.monotonic() < end:
+        time.sleep(0.05)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    done = sorted(tmp_path.glob("point_*.json"))
+    assert 3 <= len(done) < 59
+    scene = stribeck.Scene.azam_2019(64)
+    speeds = [0.05 * k for k in range(1, 60)]
+    sweep = stribeck.sweep(scene, {"motion.entrainment_speed": speeds}, folder=tmp_path, shard=(int(done[0].stem[-6:]), 59))
+    assert len(sweep) == len(done)
+    one = sweep[0]
+    assert one.film.central == stribeck.solve(scene.replace(**{"motion.entrainment_speed": one.inputs["motion.entrainment_speed"]})).film.central
+
+
+def test_results_are_tidy(coarse: stribeck.Scene, tmp_path: Path) -> None:
+    pytest.importorskip("pandas")
+    sweep = stribeck.sweep(coarse, OVER)
+    frame = sweep.to_pandas()
+    assert list(frame.columns[:3]) == ["motion.entrainment_speed", "load.force", "status"] and len(frame) == 10
+    assert frame.attrs["units"]["film.central"] == "m" and frame["load.force"].tolist() == [10.0, 20.0] * 5
+    cube = sweep.to_xarray()
+    assert cube["film.central"].sel({"load.force": 20.0}).shape == (5,) and cube["film.central"].attrs["units"] == "m"
+    assert float(cube["film.central"].sel({"load.force": 20.0, "motion.entrainment_speed": 0.1})) == sweep[3].film.central
+

@@ -1,0 +1,86 @@
+"""Names that type checkers know are those that there are."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import typing
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import stribeck
+from stribeck._numbers import Numbers
+
+
+def compared(kind: type, table: Any) -> None:
+    """The names of the class are those of the table, its numbers what the class says."""
+    hints = {name.removesuffix("_"): hint for name, hint in typing.get_type_hints(kind).items() if not name.startswith("_")}
+    slots = {slot for base in kind.__mro__ for slot in getattr(base, "__slots__", ())}
+    names = {name for name in hints if name not in slots}
+    assert names - {"edges_x", "edges_y"} == set(table) - {"grid", "warnings", "edges_x", "edges_y"}, kind
+    for name in names:
+        value, hint = table[name], hints[name]
+        kinds = typing.get_args(hint) or (hint,)
+        inner = next((part for part in kinds if isinstance(part, type) and issubclass(part, Numbers)), None)
+        if isinstance(value, Numbers):
+            assert inner is not None, name
+            if typing.get_type_hints(inner).keys() - Numbers.__annotations__.keys():
+                compared(inner, value)
+        elif not hasattr(value, "shape") and name not in ("edges_x", "edges_y"):
+            assert isinstance(value, kinds), (kind, name, value)
+
+
+def test_declared_names_are_those_of_results() -> None:
+    scene = stribeck.Scene.azam_2019(16, tribofilm=True).replace(solver={"tolerance": 1e-3, "estimate": True})
+    dry = stribeck.Scene.azam_2019(16).replace(roughness=None, plastic=None, wear=None, lubricant=None)
+    for case in (scene, dry):
+        compared(stribeck.Solution, stribeck.solve(case))
+    simulation = stribeck.Simulation(scene)
+    compared(stribeck.Record, simulation.step(10.0))
+    compared(stribeck.Body, simulation.bodies[1])
+    compared(stribeck.Grid, scene.grid)
+    grid = stribeck.Grid.box(20, 1, (0.0, 1e-2), (0.0, 1.0))
+    film = stribeck.given_film(lambda x, y: 2e-6 - 1e-4 * x, grid, speeds=(0.02, 0.0), eta0=0.01)
+    assert {"load", "force", "flow"} <= set(film)
+
+
+RIGHT = """
+import numpy as np
+import stribeck
+
+scene = stribeck.Scene.azam_2019(32).replace(motion={"entrainment_speed": "0.5 m/s"})
+solution = stribeck.solve(scene)
+central: float = solution.film.central
+status: str = solution.status
+iterations: int = solution.work.iterations
+inflow: float = solution.flow.inflow if solution.flow is not None else 0.0
+peak = float(solution.fields["pressure"].max())
+simulation = stribeck.Simulation(scene)
+history = simulation.run(2, "10 s", callback=lambda sim, record: record.contact.load_ratio < 0.01)
+wear: float = history[-1].wear.disc_mean
+speed: float = simulation.conditions.motion.entrainment_speed
+times = history["time"].tolist()
+sweep = stribeck.sweep(scene, {"motion.entrainment_speed": np.geomspace(0.1, 1.0, 3)})
+hertz: float = stribeck.analytic.hertz_point(9.5e-3, equivalent_modulus=2.3e11, load=50.0).pressure
+"""
+WRONG = [
+    "solution.no_such",
+    "solution.film.centrall",
+    "history[0].contact.lod_ratio",
+    "simulation.conditions.lod",
+    "scene.no_such",
+    "scene.hertz().no_such",
+]
+
+
+def test_type_checker_finds_names_that_there_are_not(tmp_path: Path) -> None:
+    pytest.importorskip("mypy")
+    script = tmp_path / "script.py"
+    script.write_text(RIGHT + "\n".join(WRONG))
+    command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path), str(script)]
+    found = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path).stdout
+    first = len(RIGHT.splitlines()) + 1
+    lines = [line for line in found.splitlines() if "script.py:" in line and "error" in line]
+    assert [int(line.split(":")[1]) for line in lines] == list(range(first, first + len(WRONG))), found
