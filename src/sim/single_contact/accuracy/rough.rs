@@ -70,8 +70,9 @@ impl Halving {
         let mut halved = Scene { grid: scene.grid.with_counts(|n| n.div_ceil(2)), ..scene.clone() };
         // Whether the contact reaches the edge of the box is checked on the requested mesh only.
         halved.solver.edge_contact = true;
-        let half = on(&halved, &surfaces, interrupt).map_err(|error| on_half(error, field))?;
+        // Errors of the scene itself come first, without a word about half the cells.
         let whole = on(&scene, &surfaces, interrupt)?;
+        let half = on(&halved, &surfaces, interrupt).map_err(|error| on_half(error, field))?;
         Ok(Self { scene, accuracy, field, surfaces, interrupt: interrupt.cloned(), half, whole })
     }
 
