@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._numbers import COLUMNS, Numbers, Table, frame, table, units
-from ._typed import Contact, Film, Flow, Friction, Motion, Plastic, Pressure, Residual, Roughness, Tribofilm, Wear, Work
+from ._typed import Contact, Errors, Film, Flow, Friction, Motion, Plastic, Pressure, Residual, Roughness, Tribofilm, Wear, Work
 from .errors import StribeckWarning, found, unknown
 
 __all__ = ["Body", "History", "Record"]
@@ -60,6 +60,7 @@ class Record(Numbers):
     energy_error: float | None
     work: Work
     strategy: str | None
+    error_estimate: Errors | None
     warnings: list[StribeckWarning]
 
     def __init__(self, values: Mapping[str, Any], warnings: Sequence[StribeckWarning] = ()) -> None:

@@ -129,11 +129,11 @@ def _in_si(axes: dict[str, list[Any]], inputs: list[dict[str, Any]], how: str) -
     """Values of the axes as numbers in SI units."""
     if how == "zip":
         return {key: [point[key] for point in inputs] for key in axes}
-    return {key: list(dict.fromkeys(point[key] for point in inputs)) if _distinct(values) else values for key, values in axes.items()}
-
-
-def _distinct(values: list[Any]) -> bool:
-    return len({str(value) for value in values}) == len(values)
+    found, stride = {}, len(inputs)
+    for key, values in axes.items():
+        stride //= max(len(values), 1)
+        found[key] = [inputs[stride * k][key] for k in range(len(values))] if inputs else []
+    return found
 
 
 def _value(tables: Any, key: str) -> Any:

@@ -173,6 +173,8 @@ def test_results_are_tidy(coarse: stribeck.Scene, tmp_path: Path) -> None:
     assert list(frame.columns[:3]) == ["motion.entrainment_speed", "load.force", "status"] and len(frame) == 10
     assert frame.attrs["units"]["film.central"] == "m" and frame["load.force"].tolist() == [10.0, 20.0] * 5
     cube = sweep.to_xarray()
+    same = stribeck.sweep(coarse, {"motion.entrainment_speed": ["1 m/s", "1000 mm/s"], "load.force": [10, 20]})
+    assert same.to_xarray().sizes == {"motion.entrainment_speed": 2, "load.force": 2} and same.axes["motion.entrainment_speed"] == [1.0, 1.0]
     assert cube["film.central"].sel({"load.force": 20.0}).shape == (5,) and cube["film.central"].attrs["units"] == "m"
     assert float(cube["film.central"].sel({"load.force": 20.0, "motion.entrainment_speed": 0.1})) == sweep[3].film.central
 
