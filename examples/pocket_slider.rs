@@ -8,7 +8,7 @@
 //! the pocket is 1 um deep from 2 to 5 mm, the viscosity 0.01 Pa s, pressure 1e5 Pa at the edges and zero
 //! where the film cavitates. Pressures are absolute, forces and flows those of one metre of width.
 //!
-//! Ends with 0 when the solve converged, 2 when it did not, 1 for bad input, with one line on standard error.
+//! Exit status: 0 converged, 1 not converged, 2 bad input, with one line on standard error.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -20,7 +20,8 @@ use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges}
 use stribeck::{Grid, Status};
 
 const USAGE: &str = "usage: pocket_slider [--speed U] [--cells N] [--json]";
-const NOT_CONVERGED: u8 = 2;
+const NOT_CONVERGED: u8 = 1;
+const REFUSED: u8 = 2;
 
 const LENGTH: f64 = 10e-3;
 const POCKET: [f64; 2] = [2e-3, 5e-3];
@@ -42,7 +43,7 @@ fn main() -> ExitCode {
             let line = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
             // Nobody is left to be told when standard error is closed.
             let _ = writeln!(io::stderr(), "error: {line}");
-            ExitCode::FAILURE
+            ExitCode::from(REFUSED)
         }
     }
 }

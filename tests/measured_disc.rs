@@ -9,10 +9,10 @@ fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/surfaces").join(name)
 }
 
-/// One line on standard error, status 1.
+/// One line on standard error, status 2.
 fn refused(output: &Output, expected: &str) {
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.lines().count() == 1 && message.contains(expected), "{expected}: {message}");
 }
 

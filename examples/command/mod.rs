@@ -3,6 +3,9 @@
 use std::error::Error;
 use std::process::ExitCode;
 
+use stribeck::NotConverged;
+use stribeck::sim::SimError;
+
 /// Runs `work` as the options ask; prints the usage where they ask for none, and errors by the `name` of the
 /// example.
 pub(crate) fn run<O>(
@@ -23,7 +26,13 @@ pub(crate) fn run<O>(
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("{name}: {error}");
-            ExitCode::FAILURE
+            exit_code(error.as_ref())
         }
     }
+}
+
+/// 1 where a contact did not converge, 2 for bad input and files.
+fn exit_code(error: &(dyn Error + 'static)) -> ExitCode {
+    let history = matches!(error.downcast_ref(), Some(SimError::NotConverged { .. }));
+    ExitCode::from(if history || error.is::<NotConverged>() { 1 } else { 2 })
 }

@@ -35,7 +35,9 @@ use history::History;
 use options::{Command, Options};
 
 /// Exit status when a history ended before its last step.
-const INCOMPLETE: u8 = 2;
+const INCOMPLETE: u8 = 1;
+/// Exit status of a wrong option, scene or file.
+const REFUSED: u8 = 2;
 
 fn main() -> ExitCode {
     let outcome = match options::parse() {
@@ -48,7 +50,7 @@ fn main() -> ExitCode {
         Ok(false) => ExitCode::from(INCOMPLETE),
         Err(error) => {
             eprintln!("mtm_zddp: {error}");
-            ExitCode::FAILURE
+            ExitCode::from(REFUSED)
         }
     }
 }

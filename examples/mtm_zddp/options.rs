@@ -27,7 +27,7 @@ Writes with.csv and without.csv (a row per step), with.npz and without.npz (fina
 (the last contact from above) and the folders with and without, from which a run is repeated or resumed: scene.toml, run.toml,
 history.csv, fields.npz, checkpoint and contact.vtk (pressure and film for ParaView). Further seeds are written into the folders
 seed2 and so on.
-Exit status: 0 done, 1 wrong option or file, 2 a history ended early (what there is of it is written).
+Exit status: 0 done, 1 a history ended early (its steps are written), 2 wrong option or file.
 ";
 
 /// What the command line asks for.

@@ -20,15 +20,26 @@ ROOT = Path(__file__).resolve().parents[2]
 SCENES = ROOT / "examples" / "scenes"
 
 
+# Programs that `cargo build --release --examples` and `cargo build --release -p stribeck-cli` have built.
+PROGRAMS = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release"
+
+
+def run_program(program: Path, *arguments: str) -> str:
+    """Standard output of a program."""
+    if not program.with_suffix(".exe" if os.name == "nt" else "").exists():
+        build = "-p stribeck-cli" if program.name == "stribeck" else "--examples"
+        pytest.fail(f"{program} is missing: `cargo build --release {build}` builds it")
+    return subprocess.run([program, *arguments], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+
+
 def run_example(name: str, *arguments: str) -> str:
-    """What an example of the crate prints."""
-    command = ["cargo", "run", "--quiet", "--release", "--example", name, "--", *arguments]
-    return subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True, env=os.environ).stdout
+    """Standard output of an example of the crate."""
+    return run_program(PROGRAMS / "examples" / name, *arguments)
 
 
-def run_json(name: str, *arguments: str) -> Any:
-    """The JSON that an example of the crate prints."""
-    return json.loads(run_example(name, *arguments, "--json"))
+def run_command(*arguments: str) -> Any:
+    """The JSON that a subcommand prints."""
+    return json.loads(run_program(PROGRAMS / "stribeck", *arguments, "--json"))
 
 
 @pytest.fixture

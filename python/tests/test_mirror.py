@@ -1,4 +1,4 @@
-"""The examples of the crate in Python: equal numbers to the last bit."""
+"""The command and the examples of the crate in Python: equal numbers to the last bit."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ import pickle
 
 import numpy as np
 import pytest
-from conftest import ROOT, SCENES, run_example, run_json
+from conftest import ROOT, SCENES, run_command, run_example
 
 import stribeck
 
 
 @pytest.mark.parametrize("name", ["smooth", "rough", "rough_dry", "line", "coated", "ground_disc"])
-def test_solve_is_the_example_solve(name: str, tmp_path) -> None:
+def test_solve_equals_the_command(name: str, tmp_path) -> None:
     path, fields = SCENES / f"{name}.toml", tmp_path / "fields.npz"
-    expected = run_json("solve", str(path), "--fields", str(fields))
+    expected = run_command("solve", str(path), "--fields", str(fields))
     solution = stribeck.solve(path)
     compared = 0
     for key, value in expected.items():
@@ -42,9 +42,9 @@ def test_solve_is_the_example_solve(name: str, tmp_path) -> None:
 
 
 @pytest.mark.parametrize(("name", "steps"), [("dry_history", 4), ("rough", 2), ("running_in", 3)])
-def test_a_history_is_the_example_history(name: str, steps: int, tmp_path) -> None:
+def test_a_history_equals_the_command(name: str, steps: int, tmp_path) -> None:
     path, csv = SCENES / f"{name}.toml", tmp_path / "history.csv"
-    expected = run_json("history", str(path), "--steps", str(steps), "--time-step", "30", "--csv", str(csv))
+    expected = run_command("run", str(path), "--steps", str(steps), "--time-step", "30", "--csv", str(csv))
     simulation = stribeck.Simulation(path)
     history = simulation.run(steps, 30.0)
     last = history[-1]

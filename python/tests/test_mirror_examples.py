@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import csv
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT, SCENES, run_example, run_json
+from conftest import ROOT, SCENES, run_example
 
 import stribeck
 from stribeck.elastic import HalfSpace
@@ -42,7 +43,7 @@ def test_a_slider_with_a_pocket_is_that_of_its_example() -> None:
     grid = stribeck.Grid.box(200, 1, (0.0, 10e-3), (0.0, 1.0))
     oil = {"eta0": 0.01, "ambient_pressure": "0.1 MPa", "closed_sides": True}
     for speed in (0.02, 0.2):
-        expected = run_json("pocket_slider", "--speed", str(speed), "--cells", "200")
+        expected = json.loads(run_example("pocket_slider", "--speed", str(speed), "--cells", "200", "--json"))
         slider = stribeck.given_film(film, grid, speeds=(speed, 0.0), **oil)
         assert slider.status == "converged" and slider.flow.imbalance <= 1e-10
         found = [slider.pressure_at("2 mm"), slider.pressure_at("5 mm"), slider.load, slider.reformation()]

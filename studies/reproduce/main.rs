@@ -28,6 +28,9 @@ use std::process::ExitCode;
 
 use options::{Command, Options};
 
+/// Exit status of a wrong option or of a file that cannot be read or written.
+const REFUSED: u8 = 2;
+
 fn main() -> ExitCode {
     let outcome = match options::parse() {
         Ok(Command::Help) => {
@@ -41,7 +44,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("reproduce: {error}");
-            ExitCode::FAILURE
+            ExitCode::from(REFUSED)
         }
     }
 }

@@ -5,15 +5,18 @@
 //! ```text
 //! cargo run --release -p studies --bin step_study [-- SEEDS]     # 2 seeds of the places
 //! ```
-#![expect(clippy::print_stdout, reason = "a program that talks to its user")]
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
 #[path = "../../examples/chart/mod.rs"]
 mod chart;
+#[path = "../../examples/command/mod.rs"]
+mod command;
 
 use std::error::Error;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::process::ExitCode;
 
 use chart::{BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
 use plotters::style::RGBColor;
@@ -21,6 +24,7 @@ use stribeck::metrics::height_statistics;
 use stribeck::sim::scene::{RoughnessPair, TrackMotion};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, StepRecord};
 
+const USAGE: &str = "usage: cargo run --release -p studies --bin step_study [-- SEEDS]\n";
 /// Time of a history \[s\].
 const END: f64 = 7200.0;
 /// Numbers of steps.
@@ -106,8 +110,26 @@ fn line(
     Ok(Line { pen: Pen::strong(colour), points })
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let seeds = std::env::args().nth(1).map_or(Ok(2), |count| count.parse::<u64>())?.max(1);
+fn main() -> ExitCode {
+    command::run("step_study", USAGE, seeds(), |&seeds| study(seeds))
+}
+
+/// Seeds of the places, 2 by default; none where the usage is asked for.
+fn seeds() -> Result<Option<u64>, lexopt::Error> {
+    use lexopt::prelude::*;
+    let mut seeds = 2;
+    let mut parser = lexopt::Parser::from_env();
+    while let Some(argument) = parser.next()? {
+        match argument {
+            Value(count) => seeds = count.parse::<u64>()?.max(1),
+            Long("help") | Short('h') => return Ok(None),
+            other => return Err(other.unexpected()),
+        }
+    }
+    Ok(Some(seeds))
+}
+
+fn study(seeds: u64) -> Result<(), Box<dyn Error>> {
     let base =
         Scene::load(Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes/dry_history.toml"))?;
     let mut table = format!("{HEADER}\n");

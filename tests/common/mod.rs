@@ -5,23 +5,17 @@ pub(crate) mod dense;
 pub(crate) mod free_volume;
 pub(crate) mod scene_text;
 
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::PathBuf;
 
-/// The example `name`, brought up to date: `cargo test` builds it, `cargo test --test` of one file does not.
+/// The program of the example `name`. `cargo test` builds it; a run of one file of tests does not.
 pub(crate) fn example(name: &str) -> PathBuf {
     let test = std::env::current_exe().unwrap();
-    let folder = test.parent().and_then(Path::parent).unwrap();
-    let profile = match folder.file_name().and_then(|name| name.to_str()).unwrap() {
-        "debug" => "test",
-        other => other,
-    };
-    let built = Command::new(env!("CARGO"))
-        .args(["build", "--quiet", "--offline", "--profile", profile, "--example", name, "--target-dir"])
-        .arg(folder.parent().unwrap())
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .unwrap();
-    assert!(built.status.success(), "{built:?}");
-    folder.join("examples").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+    let folder = test.ancestors().nth(2).unwrap().join("examples");
+    let program = folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    assert!(
+        program.exists(),
+        "{} is missing: `cargo build --release --example {name}` builds it",
+        program.display()
+    );
+    program
 }

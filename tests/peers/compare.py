@@ -104,15 +104,15 @@ def solve(command, path, scene):
 
 def ours(folder):
     """Builds the programs, runs the work and leaves the gaps for the others."""
-    examples = ["solve", "peers_contact", "peers_convolution"]
-    built = run(["cargo", "build", "--release", *(f"--example={name}" for name in examples)], cwd=ROOT)
+    examples = ["peers_contact", "peers_convolution"]
+    built = run(["cargo", "build", "--release", "-p", "stribeck", "-p", "stribeck-cli", "--bin=stribeck", *(f"--example={name}" for name in examples)], cwd=ROOT)
     if built.returncode:
         sys.exit(built.stderr)
-    programs = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "examples"
+    programs = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release"
     results = {}
     sizes = {task: sizes for task, sizes, _, _ in TASKS}
     for n in sizes["convolution"]:
-        out = json.loads(run([programs / "peers_convolution", n, 30 if n < 512 else 7]).stdout)
+        out = json.loads(run([programs / "examples" / "peers_convolution", n, 30 if n < 512 else 7]).stdout)
         results["convolution", n] = {"seconds": out["seconds"], "value": out["value"]}
     scenes = [
         ("hertz", "smooth", DRY, 1e-9),
@@ -122,7 +122,7 @@ def ours(folder):
     for task, name, scene, tolerance in scenes:
         for n in sizes[task]:
             path, fields = folder / f"{name}_{n}.toml", folder / f"{name}_{n}.npz"
-            out = solve([programs / "peers_contact", path, fields], path, scene.format(n=n, tolerance=tolerance))
+            out = solve([programs / "examples" / "peers_contact", path, fields], path, scene.format(n=n, tolerance=tolerance))
             if "failed" in out:
                 results[task, n] = out
                 continue
@@ -131,7 +131,7 @@ def ours(folder):
     for n in sizes["film"]:
         scene = FILM.format(n=n, modulus=FILM_MODULUS, half=2 * FILM_RADIUS, density_a=0.34 / 5.9e8, density_b=1 / 5.9e8)
         path = folder / f"film_{n}.toml"
-        out = solve([programs / "solve", path, "--json"], path, scene)
+        out = solve([programs / "stribeck", "solve", path, "--json"], path, scene)
         if "failed" in out:
             results["film", n] = out
             continue
