@@ -28,6 +28,8 @@ pub enum SolverId {
     MultigridThenNewton,
     /// [`Dry`](crate::reynolds::Dry).
     Dry,
+    /// [`AsperityInlets`](crate::reynolds::AsperityInlets).
+    AsperityInlets,
     /// [`Auto`](crate::reynolds::Auto); its reports name the selected solver.
     Auto,
     /// The solver of [`GivenFilm`](crate::reynolds::GivenFilm).
@@ -38,12 +40,13 @@ pub enum SolverId {
 
 impl SolverId {
     /// Solvers of the crate.
-    const OWN: [Self; 7] = [
+    const OWN: [Self; 8] = [
         Self::NewtonKrylov,
         Self::SemiSystem,
         Self::Multigrid,
         Self::MultigridThenNewton,
         Self::Dry,
+        Self::AsperityInlets,
         Self::Auto,
         Self::GivenFilm,
     ];
@@ -55,6 +58,7 @@ impl SolverId {
             Self::Multigrid => "multigrid",
             Self::MultigridThenNewton => "multigrid+newton_krylov",
             Self::Dry => "dry",
+            Self::AsperityInlets => "asperity_inlets",
             Self::Auto => "auto",
             Self::GivenFilm => "given_film",
             Self::Custom(name) => name,

@@ -6,6 +6,7 @@ mod common;
 mod absurd_scenes;
 mod accuracy;
 mod analytic;
+mod asperity_inlets;
 mod bodies;
 mod book;
 mod cavitation;

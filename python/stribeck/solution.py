@@ -52,6 +52,7 @@ class Solution(Solved):
     thermal: Table | None
     error_estimate: Errors | None
     strategy: str | None
+    model: str | None
     scheme: str | None
     face_mobility: str | None
     cavitation: str | None

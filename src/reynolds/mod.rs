@@ -10,11 +10,13 @@
 //! | [`Multigrid`] | full multigrid, hybrid line relaxation | smooth full film |
 //! | [`SemiSystem`] | line relaxation of flow and elastic response in one system | mixed and full film |
 //! | [`Dry`] | active-set conjugate gradients | no lubricant |
+//! | [`AsperityInlets`] | a dry contact and the inlets of its asperities | estimates of rough mixed contacts |
 //! | [`Auto`] | selects a solver, with fallback | default |
 //!
 //! [`GivenFilm`] solves the Reynolds equation alone, between rigid surfaces with a prescribed film.
 
 mod active_set;
+mod asperity_inlets;
 mod auto;
 mod coupled;
 mod dry;
@@ -30,6 +32,7 @@ mod state;
 
 use std::fmt::Debug;
 
+pub use asperity_inlets::AsperityInlets;
 pub use auto::Auto;
 pub(crate) use coupled::reaches_limit;
 pub use dry::Dry;

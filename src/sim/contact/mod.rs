@@ -5,6 +5,7 @@
 //!                  └── far_field: pressures at the edges of the box
 //! ```
 
+pub(in crate::sim) mod asperity_inlets;
 pub(in crate::sim) mod boxed_clone;
 pub(in crate::sim) mod compliant_films;
 pub(in crate::sim) mod custom_laws;

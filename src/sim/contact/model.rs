@@ -26,6 +26,7 @@ use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 use crate::sim::scene::{InletSpec, Motion, PlasticSpec, Scene};
+use crate::solver_id::SolverId;
 
 /// Residual over tolerance up to which a custom solver counts as converged: its films are rounded differently.
 const VERIFIED: f64 = 2.0;
@@ -145,7 +146,7 @@ impl ContactModel {
         let law = lubricant.as_ref().map(Lubricant::viscosity);
         film_temperature::validate_film_temperature(scene, law)?;
         let is_flooded = scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::Flooded);
-        let inlet = is_flooded.then(|| Inlet::new(scene, has_own_body));
+        let inlet = (is_flooded && scene.solver.model.is_resolved()).then(|| Inlet::new(scene, has_own_body));
         let formulas = formula_film(scene, &hertz, conditions.motion.entrainment_speed, law, None)?;
         let stated_film = stated_film(scene, &hertz, &conditions, law)?;
         Ok(Self {
@@ -337,7 +338,8 @@ impl ContactModel {
             // A clone has no buffers.
             *solver = solver.clone();
         }
-        let is_measured = problem.lubricant.is_some() || verifies;
+        let is_law = solver.id() == SolverId::AsperityInlets;
+        let is_measured = (problem.lubricant.is_some() && !is_law) || verifies;
         let mut evaluation =
             is_measured.then(|| evaluation.get_or_insert_with(|| Evaluation::new(problem.grid())));
         if let (Some(evaluation), true) = (&mut evaluation, verifies) {

@@ -7,12 +7,15 @@ use crate::error::{InputError, format_number};
 use crate::grid::Grid;
 use crate::lubricant::DowsonHigginson;
 use crate::metrics::mean_central_film_in;
-use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule, require_speed};
+use crate::reynolds::{
+    AsperityInlets, Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule, require_speed,
+};
+use crate::sim::contact::asperity_inlets;
 use crate::sim::contact::boxed_clone::OwnedSolver;
 use crate::sim::contact::friction_laws::boundary_law;
 pub(in crate::sim) use crate::sim::contact::memory::validate_memory;
 use crate::sim::contact::oil::viscosity_law;
-use crate::sim::contact::warnings::{self, Warning, reject_units};
+use crate::sim::contact::warnings::{Warning, reject_units};
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::{FileRoughness, Roughness, Scene, SolverKind};
@@ -60,6 +63,7 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
         validate_accuracy("solver.accuracy", accuracy)?;
     }
     stopping_rule(scene)?;
+    asperity_inlets::validate(scene)?;
     reject_units(scene)
 }
 
@@ -251,7 +255,7 @@ fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<RoughBody, 
     let unusable = |reason: String| InputError::Conflict { field: format!("roughness.{body}.path"), reason };
     let mut surface = crate::surface::read(&file.path).map_err(|error| unusable(error.to_string()))?;
     let unfit = |error| unusable(format!("{}: {error}", file.path.display()));
-    let file_warnings = warnings::of_file(body, &surface);
+    let file_warnings = crate::sim::contact::warnings::of_file(body, &surface);
     let mut measured_rq = None;
     let mut heights = if surface.dx().is_none() {
         if (surface.nx(), surface.ny()) != (grid.nx(), grid.ny()) {
@@ -292,6 +296,12 @@ fn measured(file: &FileRoughness, _grid: &Grid, body: &str) -> Result<RoughBody,
 /// The solver of the scene.
 pub(in crate::sim) fn solver(scene: &Scene) -> Result<Box<dyn OwnedSolver>, InputError> {
     let edge_contact = scene.solver.edge_contact;
+    if !scene.solver.model.is_resolved() {
+        return Ok(match edge_contact {
+            true => Box::new(AsperityInlets::allowing_edge_contact()),
+            false => Box::new(AsperityInlets::new()),
+        });
+    }
     Ok(match scene.solver.kind {
         SolverKind::Auto if edge_contact => Box::new(Auto::allowing_edge_contact()) as Box<dyn OwnedSolver>,
         SolverKind::Auto => Box::new(Auto::new()),

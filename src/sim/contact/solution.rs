@@ -13,7 +13,9 @@ use crate::sim::contact::numbers::{
     StressNumbers, ThermalNumbers,
 };
 use crate::sim::contact::warnings::Warning;
+use crate::sim::scene::SolverModel;
 use crate::sim::scene::hertz::HertzContact;
+use crate::solver_id::SolverId;
 
 /// The solution of one contact.
 ///
@@ -39,7 +41,9 @@ pub struct ContactSolution {
     pub hertz: HertzContact,
     /// Moes' parameters; `None` for a dry contact.
     pub moes: Option<Moes>,
-    /// Entrainment scheme; `None` for a dry contact, as the next three fields.
+    /// Treatment of the inlets of asperities; `None` for a dry contact.
+    pub model: Option<SolverModel>,
+    /// Entrainment scheme; `None` for a dry contact and with `SolverModel::AsperityInlets`, as the next four fields.
     pub scheme: Option<Scheme>,
     /// Law of the pressure flow through faces.
     pub face_mobility: Option<FaceMobility>,
@@ -47,7 +51,7 @@ pub struct ContactSolution {
     pub contact_definition: Option<ContactDefinition>,
     /// Cavitation condition.
     pub cavitation: Option<Cavitation>,
-    /// Flow balance of the box; `None` for a dry contact.
+    /// Flow balance of the box.
     pub flow: Option<FlowBalance>,
     /// Fields and approach.
     pub state: ContactState,
@@ -112,7 +116,10 @@ impl ContactModel {
         friction: Option<&FrictionFields>,
         numbers: Numbers,
     ) -> ContactSolution {
+        let is_law = report.solver == SolverId::AsperityInlets;
+        let model = if is_law { SolverModel::AsperityInlets } else { SolverModel::Resolved };
         let lubricated = self.lubricant.is_some();
+        let resolved = lubricated && !is_law;
         let (thermal, film_temperature) = heat.unzip();
         ContactSolution {
             report,
@@ -126,10 +133,11 @@ impl ContactModel {
             roughness: numbers.roughness,
             boundary_friction: friction.map_or(f64::NAN, FrictionFields::first_boundary),
             shear: friction.map_or_else(|| vec![f64::NAN; state.film.len()], |fields| fields.shear.clone()),
-            scheme: lubricated.then_some(self.scheme),
-            face_mobility: lubricated.then_some(self.face_mobility),
-            contact_definition: lubricated.then_some(self.contact),
-            cavitation: lubricated.then_some(self.cavitation),
+            model: lubricated.then_some(model),
+            scheme: resolved.then_some(self.scheme),
+            face_mobility: resolved.then_some(self.face_mobility),
+            contact_definition: resolved.then_some(self.contact),
+            cavitation: resolved.then_some(self.cavitation),
             flow: self.flow,
             state,
             gap,

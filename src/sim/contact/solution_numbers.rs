@@ -87,7 +87,11 @@ impl ContactSolution {
 
     /// Flow through the box, per metre for a line contact.
     fn write_flow(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Some(flow) = self.flow else { return writeln!(f, "flow       none: dry") };
+        let Some(flow) = self.flow else {
+            let reason =
+                if self.model.is_some() { "not solved with model asperity_inlets" } else { "none: dry" };
+            return writeln!(f, "flow       {reason}");
+        };
         let unit = if self.grid.ny() == 1 { "m^2/s" } else { "m^3/s" };
         let (inflow, outflow, imbalance) = (flow.inflow, flow.outflow, flow.imbalance);
         writeln!(f, "flow       in {inflow:.4e}, out {outflow:.4e} {unit}, imbalance {imbalance:.1e}")
@@ -159,6 +163,7 @@ mod named {
     };
     use crate::sim::contact::solution::ContactSolution;
     use crate::sim::contact::warnings::Warning;
+    use crate::sim::scene::SolverModel;
     use crate::sim::scene::hertz::HertzContact;
     use crate::{Grid, SolveReport};
 
@@ -167,6 +172,7 @@ mod named {
     struct Numbers<'a> {
         #[serde(flatten)]
         report: &'a SolveReport,
+        model: Option<SolverModel>,
         scheme: Option<Scheme>,
         face_mobility: Option<FaceMobility>,
         cavitation: Option<Cavitation>,
@@ -214,6 +220,7 @@ mod named {
         fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
             let numbers = Numbers {
                 report: &self.report,
+                model: self.model,
                 scheme: self.scheme,
                 face_mobility: self.face_mobility,
                 cavitation: self.cavitation,

@@ -15,6 +15,7 @@ use crate::error::InputError;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
+use crate::sim::contact::asperity_inlets;
 use crate::sim::contact::friction_laws::boundary_law;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::laws::Laws;
@@ -338,6 +339,7 @@ impl SimBuilder {
         exposure::validate(&self.scene, &operating_schedule, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        asperity_inlets::require_no_lay(&self.scene, &contact.grid, bodies.each_ref().map(Body::initial))?;
         let warnings = self.warnings(replaced, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(replaced, &bodies);
         let heat = Heat::new(&self.scene, &contact, &operating_schedule, &laws)?;
@@ -417,6 +419,7 @@ impl SimBuilder {
         found.extend(warnings::of_own_laws(viscosity, growth.map(|law| law.maximum_thickness())));
         let heights = bodies.each_ref().map(Body::initial);
         found.extend(warnings::of_roughness(&self.scene, heights, &contact.grid, &contact.hertz));
+        found.extend(asperity_inlets::warnings(&self.scene, &contact.grid, heights, contact.stated_film));
         let mut warnings = scene.warnings();
         warnings.extend(found);
         if self.squeeze {

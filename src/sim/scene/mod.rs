@@ -45,7 +45,7 @@ pub use processes::{Flash, FlowThinning, FrictionSpec, PlasticSpec, ThermalSpec}
 pub(in crate::sim) use roughness::ShortestWaves;
 pub use roughness::{FileRoughness, Roughness, RoughnessPair};
 pub use schedule::{Schedule, Schedules};
-pub use solver::{SolverKind, SolverSpec};
+pub use solver::{SolverKind, SolverModel, SolverSpec};
 pub use stress::StressSpec;
 pub use track::{Exposure, TrackMotion, TrackSpec};
 pub use tribofilm::{

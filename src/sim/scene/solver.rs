@@ -25,6 +25,9 @@ use crate::with_fields::with_fields;
 )]
 #[non_exhaustive]
 pub struct SolverSpec {
+    /// Whether the inlets of asperities are resolved or modelled.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "SolverModel::is_resolved"))]
+    pub model: SolverModel,
     /// The solver.
     pub kind: SolverKind,
     /// Upper bound of every residual at convergence.
@@ -59,6 +62,7 @@ pub struct SolverSpec {
 }
 
 with_fields!(SolverSpec {
+    with_model model: SolverModel,
     with_kind kind: SolverKind,
     with_tolerance tolerance: f64,
     with_max_iterations max_iterations: u64,
@@ -78,6 +82,7 @@ impl Default for SolverSpec {
     fn default() -> Self {
         let StoppingRule { tolerance, max_iterations } = StoppingRule::default();
         Self {
+            model: SolverModel::Resolved,
             kind: SolverKind::Auto,
             tolerance,
             max_iterations,
@@ -92,6 +97,32 @@ impl Default for SolverSpec {
             relaxation: 0.2,
             stiffness: 6.0,
         }
+    }
+}
+
+/// Treatment of the inlets of asperities.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{SolverModel, SolverSpec};
+/// assert_eq!(SolverSpec::default().model, SolverModel::Resolved);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum SolverModel {
+    /// The Reynolds equation at every node.
+    #[default]
+    Resolved,
+    /// A dry contact and the inlets of its asperities ([`AsperityInlets`](crate::reynolds::AsperityInlets)).
+    AsperityInlets,
+}
+
+impl SolverModel {
+    /// Whether the Reynolds equation is solved at every node.
+    pub fn is_resolved(&self) -> bool {
+        *self == Self::Resolved
     }
 }
 

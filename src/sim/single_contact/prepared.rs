@@ -17,7 +17,7 @@ use crate::sim::contact::numbers::is_known;
 use crate::sim::contact::numbers::{Numbers, StressNumbers};
 use crate::sim::contact::solution::ContactSolution;
 use crate::sim::contact::warnings::Warning;
-use crate::sim::contact::{outer_rows, setup, warnings};
+use crate::sim::contact::{asperity_inlets, outer_rows, setup, warnings};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
 use crate::sim::history::builder::{ReplacedParts, SimBuilder};
@@ -145,6 +145,7 @@ impl SimBuilder {
         }
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        asperity_inlets::require_no_lay(&self.scene, &contact.grid, bodies.each_ref().map(Body::initial))?;
         let warnings = self.warnings(replaced, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(replaced, &bodies);
         let state = start(&contact.grid)?;

@@ -1,0 +1,168 @@
+//! Mixed contact at the price of a dry one: the oil that the inlets of asperities draw into a dry contact.
+
+mod compression;
+mod flank;
+mod split;
+
+use compression::EdgePressures;
+use split::{Inlets, Split};
+
+use super::problem::LubricatedContact;
+use super::state::ContactState;
+use super::{ContactSolver, Dry, ReynoldsError, StoppingRule, check_call};
+use crate::grid::Grid;
+use crate::lubricant::Lubricant;
+use crate::report::{Residuals, SolveReport};
+use crate::solver_id::SolverId;
+
+/// Pressure and gap of a dry contact.
+struct Field<'a> {
+    grid: Grid,
+    /// Pressure, zero outside contact \[Pa\].
+    pressure: &'a [f64],
+    /// Gap \[m\].
+    gap: &'a [f64],
+}
+
+/// Load sharing of a rough contact from its dry solution, without a fitted number.
+///
+/// The total pressure is that of the dry contact. Each run of nodes under pressure along x is an asperity with an
+/// inlet. The reduced pressure of the fluid increases there by
+///
+/// ```text
+/// q = 12 eta0 u cos^2(t) integral of (rho h - rho_1 h_c)/h^3 dx,   h = h_c + dry gap,
+/// ```
+///
+/// (`t`: angle of the front edge's normal to x, `rho_1`: density at the edge relative to that at ambient pressure,
+/// `h_c`: contact film). Almost no fluid flows by pressure through a film of this thickness, so the
+/// fluid keeps the pressure of the front edge: it carries `min(p, p(q))`, solids the rest. Where `q` exceeds what the
+/// largest pressure of the run needs, the run floats on a film that is `(q/needed)^(3/4)` times the contact film. Films
+/// elsewhere are the dry gap plus the contact film plus the mean lift of the asperities.
+///
+/// **Valid** for rough steady contacts whose smooth film is below half of the composite Rq, without a lay, with a flooded
+/// inlet. The pressure of the fluid in the valleys is neglected, and every inlet counts as full. `docs/asperity_inlets.md` compares with
+/// solutions that resolve the inlets.
+///
+/// The result is not a solution of the discrete equations of the other solvers. Its report has the residuals of the dry
+/// contact and no mass residual; film fractions of the state are one.
+///
+/// # Errors
+/// Of [`ContactSolver::solve`]: besides invalid input and contact at the edge of the box, a problem without lubricant,
+/// with squeeze, spin, a limited supply of oil, pressure at the edge, shear thinning, films with a temperature, or the paper's
+/// contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, scene::SolverModel, solve_contact};
+/// let mut scene = Scene::azam_2019(64);
+/// scene.solver.model = SolverModel::AsperityInlets;
+/// let slow = solve_contact(&scene)?;
+/// scene.motion.entrainment_speed *= 10.0;
+/// assert!(solve_contact(&scene)?.contact.load_ratio < slow.contact.load_ratio);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct AsperityInlets {
+    /// The dry contact.
+    dry: Dry,
+    /// Buffers of the law.
+    edges: EdgePressures,
+    split: Split,
+}
+
+impl Clone for AsperityInlets {
+    /// The clone allocates its buffers at its first solve.
+    fn clone(&self) -> Self {
+        Self { dry: self.dry.clone(), ..Self::default() }
+    }
+}
+
+impl AsperityInlets {
+    /// A solver; buffers are allocated at the first solve and kept.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A solver that accepts contact at the edge of the box. A run that begins there has no inlet: solids carry it.
+    pub fn allowing_edge_contact() -> Self {
+        Self { dry: Dry::allowing_edge_contact(), ..Self::default() }
+    }
+}
+
+/// The first property of `problem` that the law leaves out.
+fn unsupported(problem: &LubricatedContact<'_>) -> Option<&'static str> {
+    let heated = |oil: &Lubricant| !oil.film_temperatures().is_empty();
+    [
+        (problem.lubricant.is_none(), "the problem has no lubricant"),
+        (problem.squeeze.is_some(), "it is steady, and the problem has a squeeze term"),
+        (problem.spin_radius.is_some(), "the surfaces spin"),
+        (problem.supplied_film.is_some(), "the inlet is starved (supplied_film)"),
+        (problem.edge_pressure.is_some(), "the edge of the box has a pressure"),
+        (problem.shear_thinning.is_some(), "the flow thins by shear"),
+        (problem.lubricant.is_some_and(heated), "the film has a temperature of its own"),
+        (problem.is_paper(), "the contact is that of the paper"),
+    ]
+    .into_iter()
+    .find_map(|(applies, reason)| applies.then_some(reason))
+}
+
+impl ContactSolver for AsperityInlets {
+    fn id(&self) -> SolverId {
+        SolverId::AsperityInlets
+    }
+
+    fn check(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(), ReynoldsError> {
+        check_call(problem, state, stop)?;
+        match unsupported(problem) {
+            Some(reason) => Err(ReynoldsError::WrongSolver { solver: self.id(), reason }),
+            None => Ok(()),
+        }
+    }
+
+    fn solve(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError> {
+        self.check(problem, state, stop)?;
+        let report = self.dry.solve(&mut problem.copied().with_lubricant(None), state, stop)?;
+        if let Some(oil) = problem.lubricant.filter(|_| report.residual.is_finite()) {
+            self.share(problem, oil, state);
+        }
+        let residual = Residuals { mass: 0.0, ..report.residual };
+        Ok(SolveReport::new(self.id(), report.status, residual).with_work(report.work))
+    }
+}
+
+impl AsperityInlets {
+    /// Shares the pressure of the dry contact in `state` between fluid and solids, and sets its films.
+    fn share(&mut self, problem: &LubricatedContact<'_>, oil: &Lubricant, state: &mut ContactState) {
+        let contact_film = problem.contact_film();
+        let peak = state.pressure.iter().copied().fold(0.0, f64::max);
+        if peak <= 0.0 {
+            return;
+        }
+        self.edges.tabulate(oil, peak);
+        let entrainment = 12.0 * oil.viscosity().viscosity(0.0) * problem.entrainment_speed;
+        let inlets = Inlets { edges: &self.edges, oil, entrainment, contact_film };
+        let field = Field { grid: problem.grid(), pressure: &state.pressure, gap: &state.film };
+        self.split.fill(&field, &inlets);
+        let lift = self.split.lift(contact_film);
+        state.fluid_pressure.copy_from_slice(&self.split.fluid);
+        state.in_contact.copy_from_slice(&self.split.solid);
+        state.theta.fill(1.0);
+        state.approach -= contact_film + lift;
+        for (k, film) in state.film.iter_mut().enumerate() {
+            let held = self.split.film[k];
+            *film = if held > 0.0 { held } else { film.max(0.0) + contact_film + lift };
+            state.mass[k] = *film * oil.at(state.fluid_pressure[k]).density;
+        }
+    }
+}
