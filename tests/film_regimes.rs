@@ -1,7 +1,7 @@
 //! Regimes, their films and the load on solids by formula, against closed forms and solved contacts.
 
 use approx::assert_relative_eq;
-use stribeck::analytic::{AsperityInlets, FilmConditions, FilmRegime, LineFilmConditions};
+use stribeck::analytic::{FilmConditions, FilmRegime, LineFilmConditions, MixedLoadShare};
 use stribeck::sim::{Scene, solve_contact};
 
 const BALL: FilmConditions = FilmConditions {
@@ -142,7 +142,7 @@ fn load_on_solids_is_near_the_limits_of_fine_meshes() {
         if text("cavitation") != "mass_conserving" {
             continue;
         }
-        let inlets = AsperityInlets {
+        let inlets = MixedLoadShare {
             entrainment_speed: number("entrainment_speed_m_per_s"),
             eta0: 0.004,
             alpha: 0.68 * (0.004_f64.ln() + 9.67) / 1.96e8,

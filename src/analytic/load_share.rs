@@ -22,8 +22,8 @@ const STEEPNESS: f64 = 3.3;
 /// does not thicken.
 ///
 /// ```
-/// use stribeck::analytic::AsperityInlets;
-/// let contact = AsperityInlets {
+/// use stribeck::analytic::MixedLoadShare;
+/// let contact = MixedLoadShare {
 ///     entrainment_speed: 0.02, eta0: 0.004, alpha: 14.4e-9, correlation_length: 10e-6, contact_film: 1e-9,
 ///     composite_rq: 131.5e-9,
 /// };
@@ -31,7 +31,7 @@ const STEEPNESS: f64 = 3.3;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AsperityInlets {
+pub struct MixedLoadShare {
     /// Mean of the two surface speeds `u` \[m/s\].
     pub entrainment_speed: f64,
     /// Viscosity at ambient pressure \[Pa s\].
@@ -46,15 +46,15 @@ pub struct AsperityInlets {
     pub composite_rq: f64,
 }
 
-impl AsperityInlets {
+impl MixedLoadShare {
     /// The inlet number `L`.
     ///
     /// # Errors
     /// [`InputError::Value`] naming the first field that is not finite and positive.
     ///
     /// ```
-    /// # use stribeck::analytic::AsperityInlets;
-    /// let contact = AsperityInlets {
+    /// # use stribeck::analytic::MixedLoadShare;
+    /// let contact = MixedLoadShare {
     ///     entrainment_speed: 0.1, eta0: 0.01, alpha: 1e-8, correlation_length: 1e-5, contact_film: 1e-9,
     ///     composite_rq: 1e-6,
     /// };
@@ -81,13 +81,13 @@ impl AsperityInlets {
     /// As of [`inlet_number`](Self::inlet_number).
     ///
     /// ```
-    /// # use stribeck::analytic::AsperityInlets;
-    /// let slow = AsperityInlets {
+    /// # use stribeck::analytic::MixedLoadShare;
+    /// let slow = MixedLoadShare {
     ///     entrainment_speed: 0.123, eta0: 0.01, alpha: 1e-8, correlation_length: 1e-5, contact_film: 1e-9,
     ///     composite_rq: 1e-6,
     /// };
     /// assert!((slow.load_ratio()? - 0.5).abs() < 1e-12);
-    /// assert!(AsperityInlets { entrainment_speed: 1.0, ..slow }.load_ratio()? < 0.01);
+    /// assert!(MixedLoadShare { entrainment_speed: 1.0, ..slow }.load_ratio()? < 0.01);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn load_ratio(&self) -> Result<f64, InputError> {

@@ -2,7 +2,7 @@
 //!
 //! [`HertzPoint`] is the dry smooth contact of two curved bodies (circular or elliptical), [`HertzLine`] that
 //! of parallel cylinders. [`FilmConditions`] and [`LineFilmConditions`] are film formulas fitted to full
-//! numerical solutions, [`FilmMap`] the regime of a contact and its film, [`AsperityInlets`] the share of the
+//! numerical solutions, [`FilmMap`] the regime of a contact and its film, [`MixedLoadShare`] the share of the
 //! load on solids. [`Westergaard`] is the dry contact of a wavy surface. [`rectangle_potential`] is the
 //! integral of 1/r over a rectangle and [`strip_potential`] that of a logarithm over a strip, the
 //! displacements of uniformly loaded cells. [`ThermalInlet`] and [`ShearedLayer`] give the heat of inlets and
@@ -27,7 +27,7 @@ pub use film_regimes::{FilmMap, FilmRegime};
 pub use hertz::{HertzPoint, equivalent_modulus};
 pub use hertz_line::HertzLine;
 pub use line_film_formulas::LineFilmConditions;
-pub use load_share::AsperityInlets;
+pub use load_share::MixedLoadShare;
 pub use love::{rectangle_displacement, rectangle_potential};
 pub use rigid_paraboloids::RigidParaboloids;
 pub use strip::{strip_displacement, strip_potential};

@@ -133,7 +133,7 @@ mod tests {
             let exact = -(-alpha * rise).ln_1p() / alpha;
             assert!((edges.pressure(rise) / exact - 1.0).abs() < 4e-3, "{rise}: {}", edges.pressure(rise));
         }
-        assert_eq!(edges.pressure(1.01 / alpha), f64::INFINITY);
+        assert!(edges.pressure(1.01 / alpha).is_infinite());
         assert!((edges.needed_rise(1e8) * alpha - (1.0 - (-1.5_f64).exp())).abs() < 2e-3);
     }
 

@@ -127,6 +127,6 @@ mod tests {
     fn contact_without_a_node_in_front_has_no_inlet() {
         let grid = Grid::centred(5, 5, 2e-7, 2e-7).unwrap();
         let field = Field { grid, pressure: &[1e9; 25], gap: &[0.0; 25] };
-        assert_eq!(rise_in_inlet(&field, 2, 0, 1e-9), 0.0);
+        assert!(rise_in_inlet(&field, 2, 0, 1e-9).abs() == 0.0);
     }
 }

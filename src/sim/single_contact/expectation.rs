@@ -1,7 +1,7 @@
 //! Estimates of a contact by formula before it is solved: roughness, regime and film, lambda, load ratio,
 //! friction and frictional heating.
 
-use crate::analytic::{AsperityInlets, FilmMap};
+use crate::analytic::{FilmMap, MixedLoadShare};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
@@ -67,7 +67,7 @@ pub struct ExpectedFilm {
     pub map: FilmMap,
     /// Film over composite roughness; `None` for smooth bodies and textures.
     pub lambda: Option<f64>,
-    /// Load ratio by the inlets of asperities ([`AsperityInlets`]); zero for a full film between smooth bodies,
+    /// Load ratio by the inlets of asperities ([`MixedLoadShare`]); zero for a full film between smooth bodies,
     /// `None` where no formula holds.
     pub load_ratio: Option<f64>,
     /// Smallest and largest load ratio of solutions at this inlet number; `None` where no formula holds.
@@ -221,7 +221,7 @@ impl MixedLubricationSim {
         let alpha = law.log_slope(0.0);
         let is_piezoviscous = alpha * self.contact.hertz.pressure > LEAST_PIEZOVISCOUS;
         let Some(length) = correlation_length.filter(|_| is_piezoviscous) else { return Ok(None) };
-        let inlets = AsperityInlets {
+        let inlets = MixedLoadShare {
             entrainment_speed: self.conditions().motion.entrainment_speed,
             eta0: law.viscosity(0.0),
             alpha,
@@ -231,7 +231,7 @@ impl MixedLubricationSim {
         };
         let [above, below] = INLET_SCATTER;
         let above = if self.scene.form.is_line() { RIDGE_SCATTER } else { above };
-        let at = |factor: f64| AsperityInlets { correlation_length: factor * length, ..inlets }.load_ratio();
+        let at = |factor: f64| MixedLoadShare { correlation_length: factor * length, ..inlets }.load_ratio();
         let (share, least, most) = (at(1.0)?, at(above)?, at(below)?);
         let [_, most_smooth] = smooth_range;
         Ok(Some(if most_smooth > most { (None, [least, most_smooth]) } else { (Some(share), [least, most]) }))
