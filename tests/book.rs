@@ -1,9 +1,10 @@
-//! The pages of the book: all are in the summary and short, what they and the README link to is there, and
-//! numbers have names.
+//! The pages of the book: all are in the summary, their links and those of the README have targets, columns have
+//! names, and default settings are those of the code.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use stribeck::reynolds::NewtonSettings;
 use stribeck::sim::StepRecord;
 
 /// Targets of the links and pictures of a page.
@@ -71,6 +72,26 @@ fn every_column_of_a_history_is_documented() {
     let missing: Vec<&str> =
         header.split(',').filter(|column| !document.contains(&format!("`{column}`"))).collect();
     assert!(missing.is_empty(), "not in docs/output.md: {missing:?}");
+}
+
+#[test]
+fn default_settings_of_newton_in_the_book_are_those_of_the_code() {
+    let page = include_str!("../docs/newton.md");
+    let settings = NewtonSettings::default();
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    let (term, reduction) = settings.pseudo_transient;
+    for (row, default) in [
+        ("film homotopy", format!("{} times at the start", settings.first_contact_film)),
+        ("pseudo-transient term", format!("{} of the entrainment, times {reduction}", percent(term))),
+        ("stall", format!("{} steps", settings.stall_window)),
+        ("linear systems", percent(settings.krylov_tolerance)),
+    ] {
+        let line = page.lines().find(|line| line.starts_with(&format!("| {row} |")));
+        let stated = line.and_then(|line| line.split('|').nth(3)).unwrap();
+        assert!(stated.contains(&default), "{row}: {default} is not in `{stated}`");
+    }
+    let least_step = percent(settings.least_film_ratio - 1.0);
+    assert!(page.contains(&format!("half of a failed step would be below {least_step}.")), "{least_step}");
 }
 
 /// A file of tests that no program names would not run.
