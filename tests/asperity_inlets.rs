@@ -168,13 +168,13 @@ fn roughness_with_a_lay_is_rejected() {
 fn wide_cells_and_thick_films_are_warned_of() {
     let warned = |scene: &Scene| {
         let warnings = solve_contact(scene).unwrap().warnings;
-        let text = |field: &str| warnings.iter().find(|found| found.field == field).map(ToString::to_string);
-        [text("grid.nx"), text("solver.model")]
+        let said = |field: &str, words: &str| {
+            warnings.iter().any(|found| found.field == field && found.to_string().contains(words))
+        };
+        [said("grid.nx", "use cells of at most"), said("solver.model", "smooth film")]
     };
-    let [coarse, thick] = warned(&scene());
-    assert!(coarse.unwrap().contains("use cells of at most") && thick.is_none());
+    assert_eq!(warned(&scene()), [true, false]);
     let mut fast = scene();
     fast.motion.entrainment_speed = 20.0;
-    let [_, thick] = warned(&fast);
-    assert!(thick.unwrap().contains("smooth film"));
+    assert!(warned(&fast)[1]);
 }
