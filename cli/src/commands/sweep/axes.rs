@@ -60,7 +60,7 @@ impl Axis {
                 let end = |text: &str| {
                     let number = si_value(&with(tables, &self.key, plain(text))?, &self.key);
                     number.and_then(|value| number_of(&value)).ok_or_else(|| {
-                        format!("--over {}: {text} is no number, which a range needs", self.key)
+                        format!("--over {}: {text} is not a number; a range needs numbers", self.key)
                     })
                 };
                 let (from, to) = (end(from)?, end(to)?);

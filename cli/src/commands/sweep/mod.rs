@@ -70,13 +70,12 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         output::print(&format!("points     {} of {} done, {failed} failed", done.len(), inputs.len()))?;
     }
     output::report_files(&[table], options.json)?;
-    let is_mine = |k: &usize| k % step == first;
-    let missing = (0..inputs.len()).filter(is_mine).any(|k| !done.iter().any(|(done, _)| *done == k));
+    let mut mine = done.iter().filter(|(k, _)| k % step == first);
+    let missing = mine.clone().count() < (first..inputs.len()).step_by(step).count();
     if missing {
         output::complain("error", "interrupted; the same command goes on with the points that are left");
     }
-    let converged =
-        done.iter().filter(|(k, _)| is_mine(k)).all(|(_, result)| result["status"] == "converged");
+    let converged = mine.all(|(_, result)| result["status"] == "converged");
     Ok(if converged && !missing { Outcome::Converged } else { Outcome::NotConverged })
 }
 

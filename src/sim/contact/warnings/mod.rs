@@ -51,9 +51,9 @@ pub struct Warning {
     /// Its value, in SI units; NaN where it has none.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "number_or_nan"))]
     pub value: f64,
-    /// What is wrong with it.
+    /// Reason for the warning.
     pub message: String,
-    /// What would mend it.
+    /// Suggested change.
     pub remedy: String,
 }
 
