@@ -93,9 +93,9 @@ impl HalfMesh {
             heat.move_at(conditions.motion.surface_speeds(), &model.grid)?;
         }
         let given = SolveContext { laws, tribofilms: &placement.films };
-        let mut once = |model: &mut ContactModel, state: &mut ContactState| match &laws.plasticity {
-            None => model.solve(&placement.gap, None, None, state),
-            Some(models) => yielding.solve(models, placement, model, None, state),
+        let models = laws.plasticity.as_ref();
+        let mut once = |model: &mut ContactModel, state: &mut ContactState| {
+            yielding.solve(models, placement, model, None, state)
         };
         let contact = (&mut *model, &mut *state, &mut *friction);
         let (report, _) = film_heat::solve(&given, film_heat.as_mut(), contact, &mut once)?;

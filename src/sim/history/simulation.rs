@@ -429,9 +429,9 @@ impl MixedLubricationSim {
             heat.move_at(contact.motion.surface_speeds(), &contact.grid)?;
         }
         let given = SolveContext { laws, tribofilms: &placement.films };
-        let mut once = |contact: &mut ContactModel, state: &mut ContactState| match &laws.plasticity {
-            None => contact.solve(&placement.gap, None, squeeze, state),
-            Some(models) => yielding.solve(models, placement, contact, squeeze, state),
+        let models = laws.plasticity.as_ref();
+        let mut once = |contact: &mut ContactModel, state: &mut ContactState| {
+            yielding.solve(models, placement, contact, squeeze, state)
         };
         let heat = self.film_heat.as_mut();
         let solved = film_heat::solve(&given, heat, (contact, state, &mut self.friction), &mut once);

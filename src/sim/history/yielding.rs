@@ -46,18 +46,19 @@ impl Yielding {
         Self { limit: zeros(), body_limits: pair(), hardened_depths: pair(), hardened: pair(), split: pair() }
     }
 
-    /// Solves the contact of the placed bodies under the pressure limit of their `models`. Limits that grow with the
+    /// Solves the contact of the placed bodies under the pressure limit of their `models`; without them it is elastic. Limits that grow with the
     /// depth are updated and the contact is solved again until both match; otherwise the status is
     /// `MaxIterations` and the limit is that of the last solve.
     pub(in crate::sim) fn solve(
         &mut self,
-        models: &PerBody<dyn PlasticityModel>,
+        models: Option<&PerBody<dyn PlasticityModel>>,
         placement: &Placement,
         contact: &mut ContactModel,
         squeeze: Option<Squeeze<'_>>,
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
         let Placement { gap, films, depths, .. } = placement;
+        let Some(models) = models else { return contact.solve(gap, None, squeeze, state) };
         self.start(models, films, depths)?;
         let mut report = contact.solve(gap, Some(&self.limit), squeeze, state)?;
         if !models.each().iter().any(|model| model.hardens()) {
