@@ -25,11 +25,22 @@ pub(crate) fn claim(files: &[PathBuf], force: bool, elsewhere: &str) -> Result<(
             }
             _ => {}
         }
+        if let Some(folder) = missing_folder(file) {
+            return Err(format!(
+                "{name}: there is no folder {}; make it first, or give another name",
+                folder.display()
+            ));
+        }
         let draft = draft(file);
         let probed = File::create(&draft).and_then(|_| fs::remove_file(&draft));
         probed.map_err(|error| named(file, &error))?;
     }
     Ok(())
+}
+
+/// The folder of `file`, if there is none.
+pub(crate) fn missing_folder(file: &Path) -> Option<&Path> {
+    file.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists())
 }
 
 /// The error with the name of its file.
@@ -42,6 +53,12 @@ pub(crate) fn remove(file: &Path) {
     if fs::symlink_metadata(file).is_ok_and(|found| found.is_file()) {
         drop(fs::remove_file(file));
     }
+}
+
+/// Removes the `folder` if nothing is in it.
+pub(crate) fn remove_empty(folder: &Path) {
+    // A folder that another program has written into stays.
+    drop(fs::remove_dir(folder));
 }
 
 /// Makes the `folder` for files.

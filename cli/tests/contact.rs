@@ -5,6 +5,7 @@ mod common;
 
 use common::{assert_pictures, assert_refused, error_of, json_of, repository, rough, stribeck, text};
 use stribeck::Grid;
+use stribeck::lubricant::{DensityLaw as _, DowsonHigginson};
 use stribeck::sim::scene::Roughness;
 use stribeck::sim::{Scene, solve_contact};
 use stribeck::surface::Heights;
@@ -149,13 +150,14 @@ fn check_tells_what_to_expect() {
     let (hertz, film) = (scene.hertz().unwrap(), scene.formula_film().unwrap().unwrap());
     assert_eq!(numbers["hertz"]["half_width_x"], hertz.half_width_x);
     assert_eq!(numbers["moes"]["m"], film.moes.m);
-    assert_eq!(numbers["film"]["formula_central"], film.map.central);
+    let density = DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap().ratio(hertz.pressure);
+    assert_eq!(numbers["film"]["formula_central"], film.map.central / density);
     assert_eq!(numbers["regime"], "piezoviscous-elastic");
     let rq = numbers["roughness"]["composite_rq"].as_f64().unwrap();
     assert!((rq / 20e-9_f64.hypot(130e-9) - 1.0).abs() < 0.2, "on the track: {rq}");
     let solved = solve_contact(&scene).unwrap();
     assert!((rq / solved.roughness.composite_rq - 1.0).abs() < 1e-12, "as `solve` has it");
-    assert_eq!(numbers["film"]["formula_lambda"], film.map.central / rq);
+    assert_eq!(numbers["film"]["formula_lambda"], film.map.central / density / rq);
     let length = numbers["roughness"]["correlation_length"].as_f64().unwrap();
     assert!((length - 20e-6).abs() < scene.grid().unwrap().dx(), "within a cell: {length}");
     assert_eq!(numbers["grid"]["cells_in_half_width"], hertz.half_width_x / scene.grid().unwrap().dx());

@@ -144,7 +144,10 @@ fn a_folder_that_cannot_be_written_is_refused_before_the_solve() {
         &["this is a folder, give a file"],
     );
     let nowhere = folder.path().join("nowhere").join("fields.npz");
-    assert_refused(&["solve", text(&dry), "--fields", text(&nowhere)], &["there is no such file or folder"]);
+    assert_refused(
+        &["solve", text(&dry), "--fields", text(&nowhere)],
+        &["there is no folder", "nowhere; make it first"],
+    );
     for command in ["solve", "run"] {
         let rest: &[&str] =
             if command == "run" { &["--steps", "1", "--time-step", "1"] } else { &["--plot"] };

@@ -110,6 +110,11 @@ fn a_run_whose_groove_reaches_the_edge_keeps_its_steps_and_ends_with_1() {
     for words in ["reaches the edge of the box", "grid.y = [", "grid.ny = ", "grid.grows = true"] {
         assert!(message.contains(words), "`{words}` is not in {message}");
     }
+    let ended = stribeck(&[&command[..], &["--force", "--json"]].concat());
+    let found = json_of(&ended);
+    assert_eq!(ended.status.code(), Some(1), "{ended:?}");
+    assert!(found["ended_early"].as_str().unwrap().contains("reaches the edge"), "{found}");
+    assert!(found["averaged_steps"].as_u64() > Some(0) && found["wear"].is_object(), "{found}");
     let rows = std::fs::read_to_string(out.join("history.csv")).unwrap().lines().count();
     assert!(rows > 5 && out.join("fields.npz").exists() && out.join("checkpoint").exists(), "{rows}");
     // In a box that grows the same history goes on.
@@ -213,9 +218,12 @@ fn an_interrupted_run_ends_with_a_checkpoint() {
     assert!(message.contains("s of 1000000 s") && message.contains("--resume"), "{message}");
     let rows = std::fs::read_to_string(out.join("history.csv")).unwrap().lines().count() - 1;
     let more = (rows + 1).to_string();
-    let resumed = ["run", text(&path), "--steps", &more, "--time-step", "1", "--out", text(&out), "--resume"];
-    let resumed = stribeck(&resumed);
+    let resumed_arguments =
+        ["run", text(&path), "--steps", &more, "--time-step", "1", "--out", text(&out), "--resume"];
+    let resumed = stribeck(&resumed_arguments);
     assert!(resumed.status.success() && !error_of(&resumed).contains("warning"), "{resumed:?}");
+    let message = error_of(&stribeck(&resumed_arguments));
+    assert!(message.contains("at its end already") && !message.contains("goes on with"), "{message}");
     let more = (rows + 2).to_string();
     let longer = ["run", text(&path), "--steps", &more, "--time-step", "2", "--out", text(&out), "--resume"];
     let message = error_of(&stribeck(&longer));
@@ -241,7 +249,10 @@ fn a_resumed_run_ends_at_its_duration_with_any_step() {
             ["run", text(&path), "--duration", duration, "--time-step", step, "--json", "--out", text(&out)];
         stribeck(&[arguments.as_slice(), more].concat())
     };
-    assert_eq!(numbers(&run("60", "20", &[]))["steps"], 3);
+    // Without a run one begins, and is told.
+    let begun = run("60", "20", &["--resume"]);
+    assert_eq!(numbers(&begun)["steps"], 3);
+    assert!(error_of(&begun).contains("there is no run to go on with; a new one begins"), "{begun:?}");
     for (duration, step, steps) in [("125", "25", 6), ("125", "10", 6), ("130", "100", 7), ("150.5", "7", 10)]
     {
         let resumed = run(duration, step, &["--resume"]);
@@ -249,7 +260,11 @@ fn a_resumed_run_ends_at_its_duration_with_any_step() {
         let time = found["time"].as_f64().unwrap();
         assert!((time / duration.parse::<f64>().unwrap() - 1.0).abs() < 1e-12, "{time} {duration}");
         assert_eq!(found["steps"], steps, "{duration} {step}");
-        assert!(error_of(&resumed).contains(&format!("it goes on with steps of {step} s")), "{resumed:?}");
+        let words = match step {
+            "10" => "the run is at its end already".to_owned(),
+            _ => format!("it goes on with steps of {step} s"),
+        };
+        assert!(error_of(&resumed).contains(&words), "{resumed:?}");
     }
     let rows = std::fs::read_to_string(out.join("history.csv")).unwrap();
     let column = rows.lines().next().unwrap().split(',').position(|name| name == "time_s").unwrap();

@@ -50,12 +50,17 @@ const MODULUS: &str = "equivalent_modulus = \"230 GPa\"";
 const X: &str = "x = [\"-0.25 mm\", \"0.25 mm\"]\ny";
 
 /// Text of the good scene, a mistake in its place, and words of the message.
-const SCENES: [(&str, &str, &[&str]); 64] = [
+const SCENES: [(&str, &str, &[&str]); 65] = [
     // Numbers and units.
     (
         "\"9.525 mm\"",
         "\"9,525 mm\"",
         &["form.radius = \"9,525 mm\"", "decimal separator is a point: \"9.525 mm\""],
+    ),
+    (
+        "[solver]",
+        "[wear]\nexposure = \"track\"\ncoefficient = \"1e-6 mm3/(N m)\"\n[solver]",
+        &["wear.coefficient = \"1e-6 mm3/(N m)\"", "specific wear rate", "times the hardness", "it is 6e-6"],
     ),
     ("\"9.525 mm\"", "9,525e-3", &["line 4", "9,525e-3", "decimal separator is a point: \"9.525e-3\""]),
     ("\"9.525 mm\"", "9.525 mm", &["line 4", "a number with a unit is text in quotes: \"9.525 mm\""]),
@@ -183,7 +188,7 @@ fn wrong_options_are_refused() {
     let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     std::fs::write(place("scene.toml"), GOOD).unwrap();
     // S, N, D, F: the scene, a new file, a folder and a file that is no scene.
-    let cases: [(&str, &[&str]); 36] = [
+    let cases: [(&str, &[&str]); 39] = [
         ("", &["a subcommand is missing", "solve"]),
         ("slove S", &["slove", "solve"]),
         ("solve", &["<SCENE>"]),
@@ -214,6 +219,9 @@ fn wrong_options_are_refused() {
         ("surface N", &["new.toml: No such file"]),
         ("surface D", &["folder: this is a folder, give a file"]),
         ("surface F", &["binary.bin: neither x3p"]),
+        ("surface S", &["scene.toml: no heights", "`stribeck check` takes scene files"]),
+        ("solve S --fields missing/x.npz", &["missing/x.npz: there is no folder missing; make it first"]),
+        ("init missing/x.toml", &["missing/x.toml: there is no folder missing; make it first"]),
         ("init N --radius 9,525mm", &["--radius = \"9,525mm\"", "a point: \"9.525mm\""]),
         ("init N --eta0 4cSt", &["--eta0 = \"4cSt\"", "density"]),
         ("init N --alpha 12", &["--alpha = 12", "did you mean 12 1/GPa"]),

@@ -44,7 +44,7 @@ struct Case {
     in_run: bool,
 }
 
-const CASES: [Case; 9] = [
+const CASES: [Case; 10] = [
     Case {
         about: "a near edge",
         changes: &[("x = [-0.25e-3", "x = [-0.2e-3")],
@@ -102,6 +102,21 @@ const CASES: [Case; 9] = [
         ],
         field: "film.formula_central",
         words: "outside the range of the formula",
+        in_run: true,
+    },
+    Case {
+        about: "a film as thick as the ball",
+        changes: &[
+            ("rq = 130e-9", "rq = 0.0"),
+            ("= 229.67e9", "= 10e6"),
+            ("force = 50.0", "force = 0.1"),
+            ("entrainment_speed = 0.1", "entrainment_speed = 5.0"),
+            ("x = [-0.25e-3, 0.25e-3]", "x = [-2.5e-3, 1.5e-3]"),
+            ("y = [-0.25e-3, 0.25e-3]", "y = [-2e-3, 2e-3]"),
+            ("[solver]\nedge_contact = false", OIL),
+        ],
+        field: "film.central",
+        words: "whose gap differs by",
         in_run: true,
     },
     Case {

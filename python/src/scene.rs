@@ -9,6 +9,7 @@ use stribeck::sim;
 
 use crate::convert::{dict, dictionary, list, named, table};
 use crate::error::{raise, value};
+use crate::run::RecordParts;
 
 /// Positions of columns and rows.
 pub(crate) type Nodes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
@@ -77,6 +78,13 @@ impl Scene {
 
     fn hertz<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         named(py, &value(py, self.0.hertz())?)
+    }
+
+    /// What to expect by formula, and the warnings about it.
+    fn expectation<'py>(&self, py: Python<'py>) -> PyResult<RecordParts<'py>> {
+        let sim = value(py, sim::MixedLubricationSim::builder(self.0.clone()).build())?;
+        let warnings = [sim.warnings(), &value(py, sim.expected_warnings())?].concat();
+        Ok((named(py, &value(py, sim.expectation())?)?, list(py, &warnings)?))
     }
 
     fn grid(&self, py: Python<'_>) -> PyResult<Cells> {

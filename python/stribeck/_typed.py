@@ -171,6 +171,40 @@ class Conditions(Numbers):
     bulk_temperature: float
 
 
+class FilmMap(Numbers):
+    """Regime of the film and its thickness with an incompressible oil."""
+
+    __slots__ = ()
+    regime: str
+    viscosity_parameter: float
+    elasticity_parameter: float
+    central: float
+
+
+class ExpectedFilm(Numbers):
+    """Film, share of the load on solids and friction by formula."""
+
+    __slots__ = ()
+    map: FilmMap
+    central: float
+    lambda_: float | None
+    load_ratio: float | None
+    load_ratio_range: list[float] | None
+    friction: list[float]
+    friction_range: list[float] | None
+    film_rise: float
+
+
+class Expectation(Numbers):
+    """A contact by formula."""
+
+    __slots__ = ()
+    roughness: Roughness
+    correlation_length: float | None
+    flash_rise: float
+    film: ExpectedFilm | None
+
+
 class Forces(Numbers):
     """Shear forces on both surfaces."""
 

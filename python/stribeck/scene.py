@@ -12,8 +12,8 @@ import numpy.typing as npt
 from ._arguments import Quantity, instance, number, numbers, path, text, truth, whole
 from ._numbers import Numbers, Table
 from ._stribeck import Cells, Scene as _Scene
-from ._typed import Conditions, Hertz
-from .errors import SceneError, StribeckWarning, found
+from ._typed import Conditions, Expectation, Hertz
+from .errors import SceneError, StribeckWarning, found, say
 
 __all__ = ["Grid", "Scene"]
 
@@ -176,6 +176,28 @@ class Scene:
     def hertz(self) -> Hertz:
         """The smooth dry contact: ``radius``, ``half_width_x``, ``half_width_y`` [m], ``pressure`` [Pa], ``force`` [N]."""
         return cast(Hertz, Numbers(self._raw.hertz()))
+
+    def expectation(self) -> Expectation:
+        """What to expect by formula, without solving: ``film.map.regime``, ``film.central`` [m] (smooth and flooded), ``film.lambda_``,
+        ``film.load_ratio`` and ``film.load_ratio_range`` (share of the load on solids), ``film.friction`` (of solids and of the isothermal fluid),
+        ``film.film_rise`` and ``flash_rise`` [K], ``roughness.composite_rq`` [m]. ``film`` is None for a dry contact; where no formula holds a number is None.
+        Warnings about physics that the scene leaves out are issued.
+
+        Raises
+        ------
+        SceneError
+            For a scene that cannot be built.
+
+        Examples
+        --------
+        >>> import stribeck
+        >>> expected = stribeck.Scene.azam_2019(64).expectation()
+        >>> expected.film and expected.film.map.regime
+        'piezoviscous-elastic'
+        """
+        numbers, warnings = self._raw.expectation()
+        say(found(warnings), 2)
+        return cast(Expectation, Numbers(numbers))
 
     def conditions(self, time: Quantity = 0.0) -> Conditions:
         """``load`` [N], ``motion.entrainment_speed`` [m/s], ``motion.slide_roll_ratio`` and ``bulk_temperature`` [K] at ``time`` [s]."""

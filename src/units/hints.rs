@@ -10,6 +10,19 @@ use crate::error::format_number;
 
 /// Density of a mineral oil \[kg/m^3\], to convert kinematic viscosities in messages.
 const OIL_DENSITY: f64 = 850.0;
+/// Hardness of a bearing steel \[Pa\], to convert specific wear rates in messages.
+const STEEL_HARDNESS: f64 = 6e9;
+/// Units of specific wear rates, volume over load and distance, in m^2/N.
+const WEAR_RATES: [(&str, f64); 8] = [
+    ("mm^3/(N m)", 1e-9),
+    ("mm^3/N/m", 1e-9),
+    ("m^3/(N m)", 1.0),
+    ("m^3/N/m", 1.0),
+    ("um^3/(N m)", 1e-18),
+    ("mm^2/N", 1e-6),
+    ("m^2/N", 1.0),
+    ("um^2/N", 1e-12),
+];
 /// Units of kinematic viscosity in addition to those of diffusivity, in m^2/s.
 const STOKES: [(&str, f64); 2] = [("cSt", 1e-6), ("St", 1e-4)];
 
@@ -38,9 +51,28 @@ pub(crate) fn toml_line(line: &str) -> Option<String> {
 
 /// The remedy for a `number` in a unit, in its plain spelling, of a related dimension.
 pub(super) fn other_dimension(dimension: Dimension, number: &str, unit: &str) -> Option<String> {
-    if dimension != Dimension::Viscosity {
-        return None;
+    match dimension {
+        Dimension::Viscosity => kinematic_viscosity(number, unit),
+        Dimension::Ratio => wear_rate(number, unit),
+        _ => None,
     }
+}
+
+/// The remedy for a specific wear rate in place of a dimensionless coefficient of wear.
+fn wear_rate(number: &str, unit: &str) -> Option<String> {
+    let (_, factor) = WEAR_RATES.iter().find(|(name, _)| *name == unit)?;
+    let coefficient = factor * STEEL_HARDNESS * number.parse::<f64>().ok()?;
+    let coefficient: f64 = format!("{coefficient:.4e}").parse().ok()?;
+    Some(format!(
+        "`{unit}` is a unit of the specific wear rate, a number without unit is asked for; a coefficient of wear is that rate times the \
+         hardness: with {} GPa it is {}",
+        1e-9 * STEEL_HARDNESS,
+        format_number(coefficient)
+    ))
+}
+
+/// The remedy for a kinematic viscosity in place of a dynamic one.
+fn kinematic_viscosity(number: &str, unit: &str) -> Option<String> {
     let in_stokes = STOKES.iter().find(|(name, _)| *name == unit).map(|(_, factor)| *factor);
     let units = Dimension::Diffusivity.units().iter();
     let factor = in_stokes.or_else(|| {

@@ -151,7 +151,7 @@ impl Expected {
             "viscosity_parameter": film.map(|film| film.map.viscosity_parameter),
             "elasticity_parameter": film.map(|film| film.map.elasticity_parameter),
             "film": {
-                "formula_central": film.map(|film| film.map.central),
+                "formula_central": film.map(|film| film.central),
                 "formula_lambda": film.and_then(|film| film.lambda),
             },
             "contact": {

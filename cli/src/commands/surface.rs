@@ -89,7 +89,12 @@ fn read(options: &Options) -> Result<Heights, Box<dyn Error>> {
             unit.ok_or_else(|| format!("--unit = \"{name}\": must be a unit of length, such as um"))?;
         choices = choices.with_unit(unit);
     }
-    Ok(surface::read_with(&options.file, &choices)?)
+    surface::read_with(&options.file, &choices).map_err(|error| {
+        let is_scene = options.file.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
+        let remedy =
+            if is_scene { "; `stribeck check` takes scene files, this takes files of heights" } else { "" };
+        format!("{error}{remedy}").into()
+    })
 }
 
 /// Removes plane, form and waviness as the options say.

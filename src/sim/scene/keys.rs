@@ -84,6 +84,8 @@ const KEYS: &[(&str, Dimension)] = &[
     ("tribofilm.growth_rate", Speed),
     ("tribofilm.activation_energy", Energy),
     ("tribofilm.activation_volume", Volume),
+    ("wear.coefficient", Ratio),
+    ("wear.film_coefficient", Ratio),
     ("wear.hardness", Pressure),
     ("wear.film_hardness", Pressure),
     ("wear.volume_per_energy", VolumePerEnergy),

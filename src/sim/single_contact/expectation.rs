@@ -63,9 +63,12 @@ pub struct Expectation {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct ExpectedFilm {
-    /// Regime and film of the smooth, flooded contact.
+    /// Regime, and film of the smooth, flooded contact with an incompressible oil.
     pub map: FilmMap,
-    /// Film over composite roughness; `None` for smooth bodies and textures.
+    /// Film in the middle \[m\]: that of `map`, at most the supplied film, over the relative density of the oil at the Hertz
+    /// pressure. The formula is for incompressible oils; what the inlet draws in fills less height once it is compressed.
+    pub central: f64,
+    /// `central` over composite roughness; `None` for smooth bodies and textures.
     pub lambda: Option<f64>,
     /// Load ratio by the inlets of asperities ([`MixedLoadShare`]); zero for a full film between smooth bodies,
     /// `None` where no formula holds.
@@ -116,7 +119,7 @@ impl MixedLubricationSim {
             viscosity: self.contact.lubricant.as_ref().map(Lubricant::viscosity),
             smooth: roughness.composite_rq == 0.0,
             friction: film.friction,
-            film: film.map.central,
+            film: film.central,
             load_ratio: most,
             yield_ratio: None,
         };
@@ -164,8 +167,8 @@ impl MixedLubricationSim {
         let no_film =
             || InputError::Conflict { field: "lubricant".to_owned(), reason: "no film formula".to_owned() };
         let map = formula_film(scene, hertz, speed, Some(law), None)?.ok_or_else(no_film)?.map;
-        let central =
-            map.central.min(scene.lubricant.and_then(|oil| oil.supplied_film).unwrap_or(f64::INFINITY));
+        let supplied = scene.lubricant.and_then(|oil| oil.supplied_film).unwrap_or(f64::INFINITY);
+        let central = map.central.min(supplied) / lubricant.density().ratio(hertz.pressure);
         let rough = roughness.composite_rq > 0.0 && !self.is_textured();
         let lambda = rough.then_some(central / roughness.composite_rq).filter(|lambda| lambda.is_finite());
         let share = self.load_share(central, lubricant, roughness, correlation_length)?;
@@ -189,6 +192,7 @@ impl MixedLubricationSim {
         });
         let film = ExpectedFilm {
             map,
+            central,
             lambda,
             load_ratio,
             load_ratio_range,

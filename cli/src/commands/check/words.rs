@@ -61,7 +61,7 @@ impl Expected {
             ];
         };
         let (map, moes, [boundary, fluid]) = (&film.map, formula.moes, film.friction);
-        let lambda = film.lambda.map_or_else(String::new, |lambda| format!("; lambda {lambda:.3}"));
+        let lambda = film.lambda.map_or_else(String::new, |lambda| format!(", {lambda:.3} of Rq (lambda)"));
         let supplied = self.sim.scene().lubricant.and_then(|oil| oil.supplied_film);
         let supplied =
             supplied.map_or_else(String::new, |film| format!(", {} at most is supplied", length_text(film)));
@@ -72,7 +72,7 @@ impl Expected {
             ),
             format!(
                 "film       {} in the middle by formula, smooth and flooded{supplied}{lambda}",
-                length_text(map.central)
+                length_text(film.central)
             ),
             format!("load       {}", load_words(film)),
             rough,

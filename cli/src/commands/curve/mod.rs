@@ -70,6 +70,8 @@ struct Curve<'a> {
     bar: ProgressBar,
     rows: Vec<Row>,
     points: Vec<Point>,
+    /// The folder of the table was made for it.
+    made_folder: bool,
     /// Fields of the warnings that were printed.
     said: Vec<String>,
     /// All speeds so far were solved or have a status.
@@ -93,20 +95,23 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let ended = curve.solve(&scenes, (motion, &speeds), &held);
     curve.bar.finish_and_clear();
     if curve.rows.is_empty() {
-        // A table without a row is no result.
+        // A table without a row is no result, nor is a folder without a file.
         files::remove(&curve.csv.0);
+        if curve.made_folder {
+            files::remove_empty(&options.output.out);
+        }
     }
     let is_whole = ended?;
     let written = curve.finish(&name, start)?;
     output::report_files(&written, options.output.json)?;
     if !is_whole {
         let (done, all) = (curve.rows.len(), speeds.len());
-        output::complain(
-            "error",
-            &format!(
-                "interrupted after {done} of {all} speeds; --from with another --out goes on behind them"
-            ),
-        );
+        let rest = if done > 0 {
+            "; --from with another --out goes on behind them"
+        } else {
+            ": no speed was finished, nothing is written"
+        };
+        output::complain("error", &format!("interrupted after {done} of {all} speeds{rest}"));
     }
     let all = curve.points.iter().all(|point| point.solution.report.status == Status::Converged);
     Ok(if is_whole && all && curve.is_complete { Outcome::Converged } else { Outcome::NotConverged })
@@ -138,6 +143,7 @@ impl<'a> Curve<'a> {
         if options.output.plot {
             targets.extend(picture::files(out, name));
         }
+        let made_folder = !out.exists();
         files::make_folder(out)?;
         files::claim(&targets, options.output.force, output::OTHER_FOLDER)?;
         let has_errors = scene.solver.estimate
@@ -150,7 +156,9 @@ impl<'a> Curve<'a> {
         let said = scene.warnings().into_iter().map(|warning| warning.field).collect();
         let remarks = options.seeds.is_none() && surfaces::is_random(scene);
         let (csv, rows, points) = ((path, file), Vec::new(), Vec::new());
-        let mut curve = Self { options, columns, csv, bar, rows, points, said, remarks, is_complete: true };
+        let is_complete = true;
+        let mut curve =
+            Self { options, columns, csv, bar, rows, points, made_folder, said, remarks, is_complete };
         curve.write_line(&row::csv_header(columns)).inspect_err(|_| files::remove(&curve.csv.0))?;
         Ok(curve)
     }

@@ -20,11 +20,9 @@ use crate::{files, interrupt, output};
 pub(super) struct Log {
     pub(super) bar: ProgressBar,
     steps: u64,
-    pub(super) means: HistoryMeans,
     folder: Option<RunFolder>,
     csv: Option<(PathBuf, BufWriter<File>)>,
     failure: Option<String>,
-    /// For the pictures.
     pub(super) records: Vec<StepRecord>,
     last: Option<ContactState>,
     plot: bool,
@@ -56,8 +54,6 @@ impl Log {
             None => (None, Vec::new()),
         };
         let steps = sim.steps() + sim.steps_until(plan.end, plan.time_step);
-        let mut means = HistoryMeans::new(steps);
-        records.iter().for_each(|record| means.see(record));
         let csv = options.csv.as_ref().map(|path| -> Result<_, String> {
             let named = |error: io::Error| files::named(path, &error);
             let mut csv = BufWriter::new(File::create(path).map_err(named)?);
@@ -71,7 +67,14 @@ impl Log {
         bar.set_position(sim.steps());
         bar.reset_eta();
         let csv = csv.transpose()?;
-        Ok(Self { bar, steps, means, folder, csv, failure: None, records, last, plot: options.plot })
+        Ok(Self { bar, steps, folder, csv, failure: None, records, last, plot: options.plot })
+    }
+
+    /// Means over the last tenth of the steps so far.
+    pub(super) fn means(&self) -> HistoryMeans {
+        let mut means = HistoryMeans::new(self.records.last().map_or(0, |record| record.step + 1));
+        self.records.iter().for_each(|record| means.see(record));
+        means
     }
 
     /// Ends all files, also those of a run that failed; the files that were written.
@@ -126,9 +129,8 @@ impl Observer for Log {
             let line = format!("{done} of {} steps, {:.1} s of the test", self.steps, record.time);
             let _ = writeln!(io::stderr(), "{line}");
         }
-        self.means.see(record);
+        self.records.push(record.clone());
         if self.plot {
-            self.records.push(record.clone());
             self.last.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
         }
         if let Some((path, csv)) = &mut self.csv

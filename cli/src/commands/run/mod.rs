@@ -78,13 +78,9 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let plan = plan(options, &sim)?;
     claim(options, &sim)?;
     let mut log = Log::new(options, &mut sim, &plan, bar)?;
-    let longest = log.records.iter().map(|record| record.time_step).reduce(f64::max);
-    if let Some(before) = longest.filter(|before| (before / plan.time_step - 1.0).abs() > ROUNDING) {
-        let text =
-            format!("the run has taken steps of {before} s, it goes on with steps of {} s", plan.time_step);
-        output::complain("warning", &text);
-    }
+    announce_resume(options, &sim, &plan, &log);
     interrupt::listen("the run ends after this step")?;
+    let first = sim.steps();
     let outcome = sim.run_until(plan.end, &StepControl::fixed(plan.time_step), &mut log);
     log.bar.finish_and_clear();
     if outcome.is_ok() {
@@ -92,25 +88,57 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     }
     let files = log.finish(options, &sim)?;
     output::warn(sim.warnings().iter().skip(known));
-    let status = match outcome {
-        Ok(_) if plan.end - sim.time() > ROUNDING * plan.time_step => {
-            output::complain("error", &interrupted(options, &sim, &plan));
-            Outcome::NotConverged
-        }
-        Ok(_) => Outcome::Converged,
-        Err(error @ (SimError::NotConverged { .. } | SimError::BoxTooSmall(_))) => {
-            output::complain("error", &error.to_string());
-            Outcome::NotConverged
+    let end = match outcome {
+        Ok(_) if plan.end - sim.time() > ROUNDING * plan.time_step => Some(interrupted(options, &sim, &plan)),
+        Ok(_) => None,
+        Err(error @ (SimError::NotConverged { .. } | SimError::BoxTooSmall(_))) => Some(error.to_string()),
+        // A law or a file ended a history that had begun: its steps are kept.
+        Err(error) if sim.steps() > first => {
+            let (steps, time) = (sim.steps(), sim.time());
+            Some(format!("{}, after {steps} steps, at {time} s", output::in_scene(&options.scene, &error)))
         }
         Err(error) => return Err(output::in_scene(&options.scene, &error).into()),
     };
-    if status == Outcome::Converged {
-        let mut numbers = serde_json::to_value(log.means.numbers(&sim))?;
+    if let Some(reason) = &end {
+        output::complain("error", reason);
+    }
+    if options.json && !(end.is_some() && log.records.is_empty()) {
+        let mut numbers = serde_json::to_value(log.means().numbers(&sim))?;
         numbers["seconds"] = start.elapsed().as_secs_f64().into();
-        if options.json { output::print(&numbers)? } else { output::print(&log.means)? }
+        if let Some(reason) = &end {
+            numbers["ended_early"] = reason.as_str().into();
+        }
+        output::print(&numbers)?;
+    } else if end.is_none() {
+        output::print(&log.means())?;
     }
     output::report_files(&files, options.json)?;
-    Ok(status)
+    Ok(if end.is_none() { Outcome::Converged } else { Outcome::NotConverged })
+}
+
+/// Says where a run goes on that `--resume` asks for, where that is not as its command line reads.
+fn announce_resume(options: &Options, sim: &MixedLubricationSim, plan: &Plan, log: &Log) {
+    let Some(folder) = options.out.as_ref().filter(|_| options.resume) else { return };
+    let name = folder.display();
+    if sim.steps() == 0 {
+        return output::complain(
+            "warning",
+            &format!("{name}: there is no run to go on with; a new one begins"),
+        );
+    }
+    if plan.end - sim.time() <= ROUNDING * plan.time_step {
+        let (end, steps) = (plan.end, sim.steps());
+        let text = format!(
+            "{name}: the run is at its end already, {end} s after {steps} steps; a later --duration goes on"
+        );
+        return output::complain("warning", &text);
+    }
+    let longest = log.records.iter().map(|record| record.time_step).reduce(f64::max);
+    if let Some(before) = longest.filter(|before| (before / plan.time_step - 1.0).abs() > ROUNDING) {
+        let step = plan.time_step;
+        let text = format!("the run has taken steps of {before} s, it goes on with steps of {step} s");
+        output::complain("warning", &text);
+    }
 }
 
 /// The remaining part of a run that was interrupted, and how it goes on.

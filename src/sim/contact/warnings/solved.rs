@@ -15,6 +15,9 @@ const LARGEST_PRESSURE: f64 = 2.0;
 const LARGEST_RISE: f64 = 100.0;
 /// Largest cell width over inlet length: above it central films of smooth contacts have errors of a tenth or more.
 const WIDEST_CELL: f64 = 2.0;
+/// Largest central film over the smaller reduced radius. Where the gap of paraboloids is two films it then differs by 2 % from
+/// that of circles.
+const THICKEST_FILM: f64 = 0.02;
 /// Deepest wear over the half-width of the contact.
 const DEEPEST_WEAR: f64 = 0.1;
 /// Fields of that warning, for ball and disc.
@@ -50,9 +53,10 @@ pub(in crate::sim) fn of_contact(scene: &Scene, seen: &SolvedContact<'_>, with_e
     let pressure = seen.smooth.then(excess).flatten();
     let inlet = (seen.smooth && !with_error).then(|| coarse_inlet(scene, seen)).flatten();
     let hot = seen.temperatures.and_then(|[largest, bulk]| hot_film(largest, bulk));
+    let thick = scene.is_lubricated().then(|| thick_film(scene, seen.central_film)).flatten();
     let friction = FRICTION.check("friction.coefficient", seen.friction);
     let touching = (seen.smooth && scene.is_lubricated()).then(|| touching(scene, seen.load_ratio)).flatten();
-    pressure.into_iter().chain(inlet).chain(hot).chain(friction).chain(touching).collect()
+    pressure.into_iter().chain(inlet).chain(thick).chain(hot).chain(friction).chain(touching).collect()
 }
 
 /// Warnings about the finished `solution` of `scene`.
@@ -110,6 +114,28 @@ fn coarse_inlet(scene: &Scene, seen: &SolvedContact<'_>) -> Option<Warning> {
                 short(length)
             ),
             "more cells, or solver.estimate or solver.accuracy, which tell the error".to_owned(),
+        )
+    })
+}
+
+/// A central film \[m\] so thick that the gap which makes it is no longer that of paraboloids.
+///
+/// The gap `x^2/2R` of a paraboloid differs from that of a circle by its share `x^2/4R^2`, which is `g/2R` where the gap is g.
+fn thick_film(scene: &Scene, central: f64) -> Option<Warning> {
+    let (along, across) = scene.form.radii();
+    let radius = along.min(across);
+    (central > THICKEST_FILM * radius).then(|| {
+        Warning::new(
+            "film.central",
+            central,
+            format!(
+                "the film is {} of the radius of {} m: bodies are paraboloids, whose gap differs by {} % from that of circles \
+                 where it is two films",
+                short(central / radius),
+                short(radius),
+                short(100.0 * central / radius)
+            ),
+            "take the film as a guess, or more load, or less speed or viscosity".to_owned(),
         )
     })
 }
