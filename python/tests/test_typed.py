@@ -23,7 +23,8 @@ def compared(kind: type, table: Any) -> None:
     assert names - {"edges_x", "edges_y"} == set(table) - {"grid", "warnings", "edges_x", "edges_y"}, kind
     for name in names:
         value, hint = table[name], hints[name]
-        kinds = typing.get_args(hint) or (hint,)
+        choices = (hint,) if typing.get_origin(hint) in (None, list) else typing.get_args(hint)
+        kinds = tuple(typing.get_origin(part) or part for part in choices)
         inner = next((part for part in kinds if isinstance(part, type) and issubclass(part, Numbers)), None)
         if isinstance(value, Numbers):
             assert inner is not None, name
