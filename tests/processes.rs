@@ -257,6 +257,7 @@ fn a_squeezed_history_is_of_second_order_in_time() {
         let inside = grid.nodes().zip(a.iter().zip(b)).filter(|((x, y), _)| x.hypot(*y) < 1e-4);
         inside.map(|(_, (a, b))| (a - b).powi(2)).sum::<f64>().sqrt()
     };
+    println!("{:e} {:e}", apart(&coarse, &middle), apart(&middle, &fine));
     let order = (apart(&coarse, &middle) / apart(&middle, &fine)).log2();
     assert!(order > 1.7, "order {order}");
 }

@@ -162,10 +162,10 @@ fn files_that_do_not_fit_are_refused() {
     assert!(matches!(refuse(b""), CheckpointError::Foreign { .. }));
     assert!(matches!(refuse(b"step,time_s\n1,2\n"), CheckpointError::Foreign { .. }));
     let mut other_format = good.clone();
-    other_format[20] = 9;
+    other_format[20] = 10;
     let error = refuse(&other_format);
-    assert!(matches!(error, CheckpointError::Newer { found: 9, known: 8, .. }), "{error}");
-    other_format[20] = 7;
+    assert!(matches!(error, CheckpointError::Newer { found: 10, known: 9, .. }), "{error}");
+    other_format[20] = 8;
     let error = refuse(&other_format);
     assert!(matches!(error, CheckpointError::Damaged { .. }), "{error}");
     // Cut short anywhere, or a byte changed anywhere.

@@ -9,6 +9,7 @@ mod analytic;
 mod asperity_inlets;
 mod bodies;
 mod book;
+mod carried_waves;
 mod cavitation;
 mod clone;
 mod compliant_film;

@@ -50,12 +50,23 @@ const MODULUS: &str = "equivalent_modulus = \"230 GPa\"";
 const X: &str = "x = [\"-0.25 mm\", \"0.25 mm\"]\ny";
 
 /// Text of the good scene, a mistake in its place, and words of the message.
-const SCENES: [(&str, &str, &[&str]); 65] = [
+const SCENES: [(&str, &str, &[&str]); 68] = [
     // Numbers and units.
     (
         "\"9.525 mm\"",
         "\"9,525 mm\"",
         &["form.radius = \"9,525 mm\"", "decimal separator is a point: \"9.525 mm\""],
+    ),
+    (
+        X,
+        "x = [\"-5 um\", \"5 um\"]\ny",
+        &["grid.x: the box ends 5.0000e-6 m", "inside of the contact", "at least from"],
+    ),
+    ("\"18 1/GPa\"", "18e9", &["lubricant.alpha = 1.8e10", "is implausible", "2e-8 is usual"]),
+    (
+        "hardness = \"6 GPa\"",
+        "hardness = \"0.05 GPa\"",
+        &["plastic.hardness", "a larger hardness, less load"],
     ),
     (
         "[solver]",

@@ -18,6 +18,7 @@
 mod active_set;
 mod asperity_inlets;
 mod auto;
+mod carried_waves;
 mod coupled;
 mod dry;
 mod evaluation;
@@ -34,6 +35,7 @@ use std::fmt::Debug;
 
 pub use asperity_inlets::AsperityInlets;
 pub use auto::Auto;
+pub use carried_waves::CarriedWaves;
 pub(crate) use coupled::reaches_limit;
 pub use dry::Dry;
 pub use evaluation::Evaluation;

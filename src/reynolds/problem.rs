@@ -65,8 +65,7 @@ impl<'a> Squeeze<'a> {
     /// `(3 m - 4 m_1 + m_2) / (2 dt)`. It is evaluated as a first-order difference over a shorter step from a
     /// combination of `m_1` and `m_2`, which is written to `combined`. A first-order difference would damp a wave that
     /// travels through a contact even at twenty steps per period. The scheme is unstable if each step is more than 2.4
-    /// times the previous one. If the combination is negative in a cell that empties fast, the difference is
-    /// first-order in all cells.
+    /// times the previous one. In a cell that empties so fast that the combination is negative, it is `m_1`.
     ///
     /// # Errors
     /// Slices of different lengths, a time step that is not positive.
@@ -95,13 +94,10 @@ impl<'a> Squeeze<'a> {
         InputError::require_positive("time_steps.1", time_steps[1])?;
         let ratio = time_steps[0] / time_steps[1];
         let share = 1.0 / (1.0 + 2.0 * ratio);
-        let mut time_step = share * (1.0 + ratio) * time_steps[0];
+        let time_step = share * (1.0 + ratio) * time_steps[0];
         for (out, (newest, oldest)) in combined.iter_mut().zip(last[0].iter().zip(last[1])) {
-            *out = newest + share * ratio * ratio * (newest - oldest);
-        }
-        if combined.iter().any(|mass| *mass < 0.0) {
-            combined.copy_from_slice(last[0]);
-            time_step = time_steps[0];
+            let mass = newest + share * ratio * ratio * (newest - oldest);
+            *out = if mass < 0.0 { *newest } else { mass };
         }
         Ok(Self { previous_mass: combined, time_step })
     }

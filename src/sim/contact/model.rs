@@ -369,7 +369,9 @@ impl ContactModel {
 fn validated_grid(scene: &Scene) -> Result<Grid, SimError> {
     setup::validate(scene)?;
     let grid = scene.grid()?;
-    setup::validate_box(&grid, &scene.hertz()?, scene.form.is_line())?;
+    let hertz = scene.hertz()?;
+    setup::validate_box(&grid, &hertz, scene.form.is_line())?;
+    setup::validate_room(scene, &grid, &hertz)?;
     if let Some(radius) = scene.motion.spin_radius {
         let supplied = scene.lubricant.is_some_and(|lubricant| lubricant.supplied_film.is_some());
         let is_paper = scene.solver.contact == ContactDefinition::UnifiedReynolds;

@@ -24,6 +24,8 @@ use crate::surface::rescale;
 
 /// Largest contact film over the smallest radius of the form.
 const LARGEST_CUTOFF: f64 = 1e-3;
+/// Least distance of an edge of a lubricated box from the middle, in Hertz half-widths.
+const LEAST_ROOM: f64 = 0.5;
 
 /// Checks all values of the scene except form, load, grid and roughness, used or not.
 pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
@@ -156,6 +158,33 @@ pub(in crate::sim) fn validate_box(
     Ok(())
 }
 
+/// Checks that the box of a lubricated contact reaches beyond half of the Hertz contact.
+pub(in crate::sim) fn validate_room(
+    scene: &Scene,
+    grid: &Grid,
+    hertz: &HertzContact,
+) -> Result<(), InputError> {
+    let [half_x, half_y] = hertz.half_extents();
+    let axes = [("grid.x", grid.x(0), grid.dx(), half_x), ("grid.y", grid.y(0), grid.dy(), half_y)];
+    let counts = [grid.nx(), grid.ny()];
+    for ((field, first, step, half_width), count) in axes.into_iter().zip(counts) {
+        let low = first - 0.5 * step;
+        let nearest = (-low).min(low + step * count as f64);
+        if scene.is_lubricated() && count > 1 && nearest < LEAST_ROOM * half_width {
+            return Err(InputError::Conflict {
+                field: field.to_owned(),
+                reason: format!(
+                    "the box ends {nearest:.4e} m from the middle, inside of the contact with a Hertz half-width of {half_width:.4e} m; at \
+                     least from {:.4e} to {:.4e} m",
+                    -1.5 * half_width,
+                    1.5 * half_width
+                ),
+            });
+        }
+    }
+    Ok(())
+}
+
 /// Checks that the contact film is small enough for the parabolic form.
 pub(in crate::sim) fn validate_film_cutoff(scene: &Scene) -> Result<(), InputError> {
     let (radius_x, radius_y) = scene.form.radii();
@@ -183,7 +212,8 @@ pub(in crate::sim) fn validate_hardness(
     Err(InputError::Conflict {
         field: format!("plastic.hardness = {}", format_number(hardness)),
         reason: format!(
-            "the box carries less than {largest:.6e} N at this pressure, the load is {:.6e} N",
+            "the box carries less than {largest:.6e} N at this pressure, the load is {:.6e} N; a larger hardness, less load or a \
+             wider box",
             hertz.force
         ),
     })

@@ -33,7 +33,7 @@ const IN_MEMORY: &str = "checkpoint in memory";
 /// First bytes of a checkpoint file.
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 /// Format version that this version of the crate writes and reads.
-const FORMAT: u32 = 8;
+const FORMAT: u32 = 9;
 /// Bytes before the content.
 const HEADER: usize = 36;
 
@@ -72,7 +72,7 @@ struct Content<'a> {
     bodies: [BodyPart<'a>; 2],
     /// Solution of the last step: with squeeze, the next step starts from it.
     state: Cow<'a, ContactState>,
-    /// Masses of the last two contacts.
+    /// The last two contacts.
     squeeze_memory: Cow<'a, SqueezeMemory>,
     /// Simulated time \[s\].
     time: f64,

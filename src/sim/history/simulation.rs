@@ -33,7 +33,7 @@ use crate::sim::history::half_mesh::HalfMesh;
 use crate::sim::history::heat::Heat;
 use crate::sim::history::placement::{Offsets, Placement, SurfaceMotion};
 use crate::sim::history::record::StepRecord;
-use crate::sim::history::squeeze_memory::SqueezeMemory;
+use crate::sim::history::squeeze_memory::{Entrainment, SqueezeMemory};
 use crate::sim::history::step_control::StepControl;
 use crate::sim::history::yielding::Yielding;
 use crate::sim::scene::Scene;
@@ -235,7 +235,8 @@ impl MixedLubricationSim {
         if let Some(heat) = &mut self.film_heat {
             heat.commit();
         }
-        self.squeeze_memory.keep(&self.state.mass, time_step);
+        let at = (conditions.motion.entrainment_speed, self.contact.film_cutoff);
+        self.squeeze_memory.keep(&self.state, at, time_step);
         if self.step == 0 {
             self.warn_of_first(&record);
         }
@@ -416,8 +417,11 @@ impl MixedLubricationSim {
         let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
         placement.place(&self.bodies, &contact.form_gap, offsets)?;
         contact.set_tribofilms(&placement.films)?;
-        let squeeze =
-            if self.surface_motion.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
+        let squeeze = if self.surface_motion.squeeze {
+            squeeze_memory.squeeze(self.step, Entrainment::of(contact), squeezed)?
+        } else {
+            None
+        };
         // With squeeze the previous film is close to the next one: keep it as a start. Otherwise the roughness
         // has moved far, and the dry contact is as good a start.
         match self.contact_start.as_ref().filter(|_| self.step == 0) {

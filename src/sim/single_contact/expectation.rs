@@ -1,7 +1,7 @@
 //! Estimates of a contact by formula before it is solved: roughness, regime and film, lambda, load ratio,
 //! friction and frictional heating.
 
-use crate::analytic::{FilmMap, MixedLoadShare};
+use crate::analytic::{FilmMap, FilmRegime, MixedLoadShare};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
@@ -75,11 +75,12 @@ pub struct ExpectedFilm {
     pub load_ratio: Option<f64>,
     /// Smallest and largest load ratio of solutions at this inlet number; `None` where no formula holds.
     pub load_ratio_range: Option<[f64; 2]>,
-    /// Friction coefficients of solids (at that load ratio or the smallest one) and of the isothermal fluid.
+    /// Friction coefficients of solids (at that load ratio or the smallest one) and of the isothermal fluid; NaN for sliding
+    /// bodies that the film hardly deforms, whose oil carries over more than the Hertz contact.
     pub friction: [f64; 2],
     /// Smallest and largest sum of both over `load_ratio_range`.
     pub friction_range: Option<[f64; 2]>,
-    /// Mean temperature rise of the film by this friction \[K\].
+    /// Mean temperature rise of the film by this friction \[K\]; NaN without it.
     pub film_rise: f64,
 }
 
@@ -174,15 +175,21 @@ impl MixedLubricationSim {
         let share = self.load_share(central, lubricant, roughness, correlation_length)?;
         let contact = (hertz.pressure, scene.form.is_line());
         let rheology = scene.friction.rheology()?;
-        let stress =
-            mean_fluid_stress(&|pressure| law.viscosity(pressure), &rheology, contact, central, sliding);
+        let is_rigid = matches!(map.regime, FilmRegime::IsoviscousRigid | FilmRegime::PiezoviscousRigid);
+        let stress = if is_rigid && sliding > 0.0 {
+            f64::NAN
+        } else {
+            mean_fluid_stress(&|pressure| law.viscosity(pressure), &rheology, contact, central, sliding)
+        };
         let mean = hertz.force / hertz.area;
         let solids = share.map_or(0.0, |(share, [least, _])| share.unwrap_or(least));
         let coefficient =
             if sliding > 0.0 { self.laws.friction.coefficient(mean, sliding, [0.0; 2]) } else { 0.0 };
         let friction = [solids * coefficient, (1.0 - solids) * stress / mean];
         let [boundary, fluid] = friction;
-        let heated = IsothermalFriction { boundary, fluid, film: central };
+        let of_known = |friction: f64| if stress.is_nan() { 0.0 } else { friction };
+        let heated =
+            IsothermalFriction { boundary: of_known(boundary), fluid: of_known(fluid), film: central };
         let rises = film_rise(scene, hertz, &conditions, law, heated)?;
         let load_ratio = share.and_then(|(share, _)| share);
         let load_ratio_range = share.map(|(_, range)| range);
@@ -190,6 +197,7 @@ impl MixedLubricationSim {
             let ends = shares.map(|share| share * coefficient + (1.0 - share) * stress / mean);
             [ends[0].min(ends[1]), ends[0].max(ends[1])]
         });
+        let friction_range = friction_range.filter(|_| !stress.is_nan());
         let film = ExpectedFilm {
             map,
             central,
@@ -198,7 +206,7 @@ impl MixedLubricationSim {
             load_ratio_range,
             friction,
             friction_range,
-            film_rise: rises.film,
+            film_rise: if stress.is_nan() { f64::NAN } else { rises.film },
         };
         Ok((rises.surfaces, film))
     }

@@ -84,14 +84,23 @@ impl Expected {
                     let range = film
                         .friction_range
                         .filter(|[least, most]| most - least > SPREAD * all)
-                        .map_or_else(String::new, |[least, most]| {
-                            format!(", {least:.4} to {most:.4} by the share of solids")
-                        });
-                    format!("about {all:.4}{range}: solids {boundary:.4}, isothermal fluid {fluid:.4}")
+                        .map(|[least, most]| format!("{least:.4} to {most:.4} by the share of solids"));
+                    match (range, film.load_ratio) {
+                        (Some(range), None) => range,
+                        (range, _) => {
+                            let range = range.map_or_else(String::new, |range| format!(", {range}"));
+                            format!(
+                                "about {all:.4}{range}: solids {boundary:.4}, isothermal fluid {fluid:.4}"
+                            )
+                        }
+                    }
                 }
                 None => format!("of the isothermal fluid alone about {fluid:.4}"),
             };
             lines.push(format!("friction   {of}; it would warm the film by {rise:.1} K"));
+        } else if (boundary + fluid).is_nan() {
+            let text = "friction   not estimated: the oil carries over more than the Hertz contact; `stribeck solve` finds it";
+            lines.push(text.to_owned());
         }
         lines
     }

@@ -54,7 +54,10 @@ pub(in crate::sim) fn of_contact(scene: &Scene, seen: &SolvedContact<'_>, with_e
     let inlet = (seen.smooth && !with_error).then(|| coarse_inlet(scene, seen)).flatten();
     let hot = seen.temperatures.and_then(|[largest, bulk]| hot_film(largest, bulk));
     let thick = scene.is_lubricated().then(|| thick_film(scene, seen.central_film)).flatten();
-    let friction = FRICTION.check("friction.coefficient", seen.friction);
+    let friction = FRICTION.check("friction.coefficient", seen.friction).map(|found| Warning {
+        remedy: "look at the friction of solids, the viscosity and the load".to_owned(),
+        ..found
+    });
     let touching = (seen.smooth && scene.is_lubricated()).then(|| touching(scene, seen.load_ratio)).flatten();
     pressure.into_iter().chain(inlet).chain(thick).chain(hot).chain(friction).chain(touching).collect()
 }
