@@ -234,7 +234,8 @@ impl MixedLubricationSim {
             composite_rq: roughness.composite_rq,
         };
         let [above, below] = INLET_SCATTER;
-        let above = if self.scene.form.is_line() { RIDGE_SCATTER } else { above };
+        let is_ridged = self.scene.form.is_line() && !self.scene.is_strip();
+        let above = if is_ridged { RIDGE_SCATTER } else { above };
         let at = |factor: f64| MixedLoadShare { correlation_length: factor * length, ..inlets }.load_ratio();
         let (share, least, most) = (at(1.0)?, at(above)?, at(below)?);
         let [_, most_smooth] = smooth_range;

@@ -18,7 +18,7 @@ impl Expected {
         let hertz = &self.hertz;
         let mut lines = self.film_lines();
         let half_width = 1e6 * hertz.half_width_x;
-        let size = if self.sim.grid().ny() == 1 {
+        let size = if self.sim.scene().form.is_line() {
             format!("{:.4e} N/m, half-width {half_width:.1} um", hertz.force)
         } else {
             format!("{:.4} N, half-widths {half_width:.1} x {:.1} um", hertz.force, 1e6 * hertz.half_width_y)
