@@ -8,6 +8,9 @@ use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
     Auto, ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, StoppingRule,
 };
+use stribeck::sim::scene::{GridSpec, Load, PlasticSpec, Roughness, SolverKind, SolverModel, StressSpec};
+use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
+use stribeck::surface::Form;
 use stribeck::{Grid, Status};
 
 const RADIUS: f64 = 10e-3;
@@ -279,4 +282,198 @@ fn multigrid_rejects_strips() {
     let mut problem = rollers.problem().with_lubricant(Some(&oil)).with_entrainment_speed(1.0);
     let error = Multigrid::new().solve(&mut problem, &mut state, &StoppingRule::default()).unwrap_err();
     assert!(error.to_string().contains("edges at their sides"), "{error}");
+}
+
+/// A roller of the given Hertz pressure and speed in a scene, with the grid of a line.
+fn roller(p_max: f64, speed: f64, nx: usize, x: [f64; 2]) -> Scene {
+    let mut scene = Scene::azam_2019(16);
+    scene.form = Form::Cylinder { radius: 5e-3 };
+    scene.load = Load::hertz_pressure(p_max);
+    scene.motion.entrainment_speed = speed;
+    scene.motion.slide_roll_ratio = 0.5;
+    scene.roughness = Default::default();
+    scene.plastic = Some(PlasticSpec::new(7e9));
+    scene.wear = None;
+    scene.friction.boundary_coefficient = 0.115;
+    scene.friction.eyring_stress = Some(5e6);
+    scene.friction.limiting_stress_coefficient = Some(0.05);
+    let oil = scene.lubricant.as_mut().unwrap();
+    (oil.eta0, oil.alpha) = (0.01, Some(15e-9));
+    scene.grid = GridSpec::Row { nx, x };
+    scene
+}
+
+/// The same roller as a strip.
+fn strip(scene: &Scene, ny: usize, y: Option<[f64; 2]>) -> Scene {
+    let mut scene = scene.clone();
+    let GridSpec::Row { nx, x } = scene.grid else { panic!("a line") };
+    scene.grid = GridSpec::Strip { nx, ny, x, y };
+    scene
+}
+
+fn converged(builder: stribeck::sim::SimBuilder) -> ContactSolution {
+    let solution = builder.solve().unwrap();
+    assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
+    solution
+}
+
+/// The box cuts the inlet at 3 m/s: pressures at its edge are those of the smooth line in a wider one.
+#[test]
+fn smooth_strip_has_the_results_of_the_line_per_metre() {
+    for speed in [0.02, 3.0] {
+        let mut line = roller(1.0e9, speed, 160, [-0.2e-3, 0.15e-3]);
+        line.solver.tolerance = 1e-9;
+        let solutions = [line.clone(), strip(&line, 6, Some([-0.1e-3, 0.05e-3]))]
+            .map(|scene| solve_contact(&scene).unwrap());
+        let numbers = solutions.each_ref().map(|found| {
+            assert_eq!(found.report.status, Status::Converged);
+            let flow = found.flow.unwrap();
+            [
+                found.hertz.force,
+                found.hertz.area,
+                found.film.central,
+                found.film.minimum,
+                found.film.mean_central,
+                found.pressure.max,
+                1.0 + found.pressure.load_outside,
+                flow.inflow,
+                flow.outflow,
+                found.friction.coefficient,
+                1.0 + found.contact.area,
+            ]
+        });
+        for (k, (a, b)) in numbers[0].iter().zip(&numbers[1]).enumerate() {
+            assert!((a / b - 1.0).abs() < 2e-6, "number {k} at {speed} m/s: {a:e} {b:e}");
+        }
+        assert_eq!(speed > 1.0, solutions[1].pressure.load_outside > 0.0, "the box cuts the inlet");
+        let text = solutions[1].to_string();
+        assert!(
+            text.contains(" N/m, half-width") && text.contains("m^2/s") && !text.contains("500000"),
+            "{text}"
+        );
+    }
+}
+
+/// Solid contact and plastic areas per metre of strips of one and of two periods.
+#[test]
+fn areas_per_metre_do_not_depend_on_the_number_of_periods() {
+    let mut line = roller(1.5e9, 5e-3, 96, [-0.3e-3, 0.21e-3]);
+    (line.lubricant, line.plastic) = (None, Some(PlasticSpec::new(3e9)));
+    line.solver.tolerance = 1e-7;
+    let one = strip(&line, 40, Some([-0.1e-3, 0.1e-3]));
+    let heights = Roughness::gaussian(180e-9, 40e-6, 1).heights(&one.grid().unwrap()).unwrap();
+    let two = strip(&line, 80, Some([-0.2e-3, 0.2e-3]));
+    let doubled = [heights.clone(), heights.clone()].concat();
+    let found = [(one, heights), (two, doubled)]
+        .map(|(scene, heights)| converged(MixedLubricationSim::builder(scene).ball_heights(heights)).contact);
+    let areas =
+        found.map(|contact| [contact.area, contact.area_ratio, contact.plastic_area, contact.load_ratio]);
+    for (a, b) in areas[0].iter().zip(&areas[1]) {
+        assert!((a / b - 1.0).abs() < 2e-3 && *a > 0.0, "{areas:?}");
+    }
+}
+
+/// One surface, repeated, under a strip and under an ellipsoid of radius ratio 16: load shares within .06, friction
+/// within 8 %, solved and by the inlets of the asperities.
+#[test]
+fn mixed_strip_agrees_with_a_wide_point_contact() {
+    const PERIODS: usize = 10;
+    for (length, seed, model) in [
+        (40e-6, 1, SolverModel::Resolved),
+        (20e-6, 2, SolverModel::Resolved),
+        (40e-6, 1, SolverModel::AsperityInlets),
+    ] {
+        let (nx, ny, x, width) = (80, 40, [-0.3e-3, 0.21e-3], 0.24e-3);
+        let mut line = roller(1.5e9, 5e-3, nx, x);
+        line.solver.model = model;
+        let scene = strip(&line, ny, Some([-0.5 * width, 0.5 * width]));
+        let heights = Roughness::gaussian(180e-9, length, seed).heights(&scene.grid().unwrap()).unwrap();
+        let mut point = line.clone();
+        point.form = Form::Ellipsoid { radius_x: 5e-3, radius_y: 80e-3, angle: 0.0 };
+        let half = 0.5 * width * PERIODS as f64;
+        point.grid = GridSpec::Cells { nx, ny: PERIODS * ny, x, y: [-half, half] };
+        let repeated = heights.repeat(PERIODS);
+        let strip = converged(MixedLubricationSim::builder(scene).ball_heights(heights));
+        let point = converged(MixedLubricationSim::builder(point).ball_heights(repeated));
+        let loads = [strip.contact.load_ratio, point.contact.load_ratio];
+        let friction = [strip.friction.coefficient, point.friction.coefficient];
+        println!(
+            "length {length:e}, seed {seed}, {model:?}: {loads:?} {friction:?} {:?} {:?}",
+            strip.report.work, point.report.work
+        );
+        assert!((loads[0] - loads[1]).abs() < 0.06, "length {length:e}, seed {seed}, {model:?}: {loads:?}");
+        let off = friction[0] / friction[1] - 1.0;
+        assert!(off.abs() < 0.08, "length {length:e}, seed {seed}, {model:?}: friction {friction:?}");
+        assert!(loads[0] > 0.05, "mixed: {loads:?}");
+    }
+}
+
+const TOML: &str = include_str!("../examples/scenes/strip.toml");
+
+#[test]
+fn strips_are_read_and_written() {
+    let scene = Scene::from_toml(TOML).unwrap();
+    let given = GridSpec::Strip { nx: 128, ny: 64, x: [-0.3e-3, 0.21e-3], y: Some([-0.12e-3, 0.12e-3]) };
+    assert_eq!(scene.grid, given);
+    assert_eq!(Scene::from_toml(&scene.to_toml().unwrap()).unwrap(), scene);
+    // Five correlation lengths across the flow of the longer roughness.
+    let mut open = scene.clone();
+    open.grid = GridSpec::Strip { nx: 128, ny: 64, x: [-0.3e-3, 0.21e-3], y: None };
+    assert_eq!(Scene::from_toml(&open.to_toml().unwrap()).unwrap(), open);
+    open.roughness.disc = Roughness::gaussian(20e-9, 60e-6, 3);
+    let grid = open.grid().unwrap();
+    assert!(grid.is_strip() && (grid.size_y() / 300e-6 - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn scenes_without_the_keys_of_a_strip_are_rejected_by_name() {
+    for (old, new, expected) in [
+        ("across = \"periodic\"", "across = \"mirrored\"", "periodic"),
+        ("ny = 64\n", "", "ny"),
+        ("ny = 64\n", "ny = 64\ngrows = true\n", "grows"),
+        ("ny = 64\n", "ny = 64\naccuracy = 0.01\n", "across"),
+    ] {
+        let error = Scene::from_toml(&TOML.replace(old, new)).unwrap_err().to_string();
+        assert!(error.contains(expected), "{new}: {error}");
+    }
+    for (old, new, expected) in [
+        ("kind = \"cylinder\"", "kind = \"sphere\"", "grid.across"),
+        ("ny = 64", "ny = 3", "grid.ny"),
+        ("y = [-0.12e-3, 0.12e-3]", "y = [0.12e-3, -0.12e-3]", "grid.y"),
+    ] {
+        let scene = Scene::from_toml(&TOML.replace(old, new)).unwrap();
+        let error = solve_contact(&scene).unwrap_err().to_string();
+        assert!(error.contains(expected), "{new}: {error}");
+    }
+    let mut smooth = Scene::from_toml(TOML).unwrap();
+    smooth.roughness = Default::default();
+    smooth.grid = GridSpec::Strip { nx: 128, ny: 64, x: [-0.3e-3, 0.21e-3], y: None };
+    let error = solve_contact(&smooth).unwrap_err().to_string();
+    assert!(error.contains("grid.y") && error.contains("correlation lengths"), "{error}");
+}
+
+#[test]
+fn physics_that_strips_leave_out_is_rejected_by_name() {
+    let changes: [(&str, fn(&mut Scene)); 6] = [
+        ("multigrid", |scene| scene.solver.kind = SolverKind::Multigrid),
+        ("paper", |scene| scene.solver.contact = stribeck::reynolds::ContactDefinition::UnifiedReynolds),
+        ("solver.estimate", |scene| scene.solver.estimate = true),
+        ("solver.accuracy", |scene| scene.solver.accuracy = Some(0.01)),
+        ("[stress]", |scene| scene.stress = Some(StressSpec::default())),
+        ("spin_radius", |scene| scene.motion.spin_radius = Some(1.0)),
+    ];
+    for (expected, change) in changes {
+        let mut scene = Scene::from_toml(TOML).unwrap();
+        change(&mut scene);
+        let builder = || MixedLubricationSim::builder(scene.clone());
+        let [solved, checked] = [builder().solve().err(), builder().check_contact().err()]
+            .map(|error| error.map(|error| error.to_string()).unwrap_or_default());
+        assert!(solved.contains(expected) && solved == checked, "{expected}: {solved}, {checked}");
+    }
+    let builder = || MixedLubricationSim::builder(Scene::from_toml(TOML).unwrap());
+    let errors = [builder().check().unwrap_err(), builder().build().unwrap().step(1.0).unwrap_err()];
+    assert!(errors.iter().all(|error| error.to_string().contains("histories")), "{errors:?}");
+    let expected = builder().build().unwrap().expectation().unwrap().film.unwrap();
+    let hertz = Scene::from_toml(TOML).unwrap().formula_film().unwrap().unwrap();
+    assert!((expected.map.central / hertz.map.central - 1.0).abs() < 1e-12, "film of the load per metre");
 }

@@ -20,10 +20,6 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
             "solver.contact = \"paper\" needs side edges; leave it out",
         ),
         (
-            !scene.solver.model.is_resolved(),
-            "solver.model = \"asperity_inlets\" is not tested here; leave it out",
-        ),
-        (
             scene.solver.estimate || scene.solver.accuracy.is_some(),
             "errors of the mesh (solver.estimate, solver.accuracy) are not estimated; compare two meshes",
         ),

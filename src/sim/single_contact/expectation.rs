@@ -161,7 +161,7 @@ impl MixedLubricationSim {
         roughness: &RoughnessNumbers,
         correlation_length: Option<f64>,
     ) -> Result<(f64, ExpectedFilm), SimError> {
-        let (scene, hertz, conditions) = (&self.scene, &self.contact.hertz, self.conditions());
+        let (scene, hertz, conditions) = (&self.scene, &self.hertz(), self.conditions());
         let motion = conditions.motion;
         let (speed, sliding, law) = (motion.entrainment_speed, motion.sliding_speed(), lubricant.viscosity());
         let no_film =

@@ -1,5 +1,6 @@
 //! The report of `check` for people.
 
+use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{Expectation, ExpectedFilm};
 
 use super::Expected;
@@ -108,7 +109,8 @@ impl Expected {
             self.cells(),
             1e-6 * self.memory
         )];
-        if !self.has_estimate {
+        let is_strip = matches!(self.sim.scene().grid, GridSpec::Strip { .. });
+        if !self.has_estimate && !is_strip {
             lines.push(
                 "           `estimate = true` in [solver] estimates its error; `accuracy = 0.01` in place of the cells picks a mesh"
                     .to_owned(),
