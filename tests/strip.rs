@@ -11,6 +11,8 @@ use stribeck::reynolds::{
 use stribeck::sim::scene::{GridSpec, Load, PlasticSpec, Roughness, SolverKind, SolverModel, StressSpec};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
 use stribeck::surface::Form;
+use stribeck::thermal::FilmThermal;
+use stribeck::tribochem::{FlashTemperature, ThermalBody};
 use stribeck::{Grid, Status};
 
 const RADIUS: f64 = 10e-3;
@@ -404,6 +406,57 @@ fn mixed_strip_agrees_with_a_wide_point_contact() {
     }
 }
 
+/// A steel roller whose film warms.
+#[test]
+fn smooth_thermal_strip_has_the_temperatures_of_the_line() {
+    for speed in [0.5, 4.0] {
+        let mut line = roller(1.0e9, speed, 96, [-0.25e-3, 0.2e-3]);
+        let oil = line.lubricant.as_mut().unwrap();
+        (oil.temperature, oil.roelands_s0) = (Some(353.15), Some(1.1));
+        oil.thermal = Some(FilmThermal::default());
+        let [row, rows] = [line.clone(), strip(&line, 6, Some([-0.1e-3, 0.1e-3]))]
+            .map(|scene| converged(MixedLubricationSim::builder(scene)));
+        let numbers = [&row, &rows].map(|solution| {
+            let heat = solution.thermal.unwrap();
+            let rises = [heat.film_temperature_max - 353.15, heat.surface_rise_ball, heat.surface_rise_disc];
+            [rises[0], rises[1], rises[2], heat.heat, solution.friction.coefficient, solution.film.central]
+        });
+        for (a, b) in numbers[0].iter().zip(&numbers[1]) {
+            assert!((a / b - 1.0).abs() < 2e-3 && *a > 0.0, "{speed} m/s: {numbers:?}");
+        }
+    }
+}
+
+/// Rises by heat that repeats: the middle period of nine on a plain grid, for bodies that move, whose heat does not
+/// reach far across the flow; that of a line for equal rows, at rest too.
+#[test]
+fn flash_temperature_of_a_strip_repeats_across_the_flow() {
+    let (nx, ny, x, width) = (40, 16, [-1e-4, 1e-4], 1e-4);
+    let strip = Grid::strip(nx, ny, x, [0.0, width]).unwrap();
+    let heat: Vec<f64> = (0..nx * ny)
+        .map(|k| if k % nx > 5 && k % nx < 25 { 1e8 * (1.0 + (0.7 * k as f64).sin()) } else { 0.0 })
+        .collect();
+    let rises = |grid: &Grid, heat: &[f64], speeds: [f64; 2]| {
+        let mut rises = vec![0.0; grid.len()];
+        let mut flash = FlashTemperature::new(grid, [ThermalBody::STEEL; 2], speeds).unwrap();
+        assert!(flash.rise(heat, &mut rises).unwrap().maximum > 0.0);
+        rises
+    };
+    let wide = Grid::from_edges(nx, 9 * ny, x, [0.0, 9.0 * width]).unwrap();
+    for speeds in [[2.0, 1.0], [1.0, 1.0]] {
+        let found = rises(&strip, &heat, speeds);
+        let repeated = rises(&wide, &heat.repeat(9), speeds);
+        let error = difference(&repeated[4 * nx * ny..5 * nx * ny], &found);
+        assert!(error < 1e-3, "{error:e} at {speeds:?}");
+    }
+    let equal: Vec<f64> = (0..nx * ny).map(|k| if k % nx > 5 && k % nx < 25 { 1e8 } else { 0.0 }).collect();
+    let line = Grid::from_edges(nx, 1, x, [-0.5, 0.5]).unwrap();
+    for speeds in [[2.0, 1.0], [0.5, 0.0], [0.0, 0.0]] {
+        let error = difference(&rises(&strip, &equal, speeds), &rises(&line, &equal[..nx], speeds));
+        assert!(error < 1e-3, "{error:e} at {speeds:?}");
+    }
+}
+
 const TOML: &str = include_str!("../examples/scenes/strip.toml");
 
 #[test]
@@ -450,7 +503,8 @@ fn scenes_without_the_keys_of_a_strip_are_rejected_by_name() {
 
 #[test]
 fn physics_that_strips_leave_out_is_rejected_by_name() {
-    let changes: [(&str, fn(&mut Scene)); 6] = [
+    type Change = (&'static str, fn(&mut Scene));
+    let changes: [Change; 6] = [
         ("multigrid", |scene| scene.solver.kind = SolverKind::Multigrid),
         ("paper", |scene| scene.solver.contact = stribeck::reynolds::ContactDefinition::UnifiedReynolds),
         ("solver.estimate", |scene| scene.solver.estimate = true),

@@ -2,7 +2,6 @@
 
 use crate::error::InputError;
 use crate::reynolds::ContactDefinition;
-use crate::sim::contact::film_temperature;
 use crate::sim::scene::{Scene, SolverKind};
 
 /// Checks that the scene has nothing that is not defined on a strip.
@@ -22,10 +21,6 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
         (
             scene.solver.estimate || scene.solver.accuracy.is_some(),
             "errors of the mesh (solver.estimate, solver.accuracy) are not estimated; compare two meshes",
-        ),
-        (
-            film_temperature::models_film_temperature(scene),
-            "film temperatures (lubricant.thermal) do not repeat across the flow; leave them out",
         ),
         (
             scene.elastic.layer.is_some(),
