@@ -6,7 +6,7 @@ use crate::error::InputError;
 /// entrainment) varies fastest. Lengths in metres.
 ///
 /// A grid with one row is a line contact: `dy` is the contact length of all loads and areas, one metre by
-/// convention.
+/// convention. A [strip](Grid::strip) is a line contact whose surfaces repeat along y.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -29,6 +29,8 @@ pub struct Grid {
     x0: f64,
     /// Coordinate of the first row \[m\].
     y0: f64,
+    /// Whether the rows repeat along y.
+    is_periodic: bool,
 }
 
 impl Grid {
@@ -65,12 +67,29 @@ impl Grid {
         let (dx, dy) = ((x[1] - x[0]) / nx as f64, (y[1] - y[0]) / ny as f64);
         InputError::require_positive("grid.dx", dx)?;
         InputError::require_positive("grid.dy", dy)?;
-        Ok(Self { nx, ny, dx, dy, x0: x[0] + 0.5 * dx, y0: y[0] + 0.5 * dy })
+        Ok(Self { nx, ny, dx, dy, x0: x[0] + 0.5 * dx, y0: y[0] + 0.5 * dy, is_periodic: false })
+    }
+
+    /// Grid of a strip: a line contact, endless along y, whose surfaces repeat with the width of the box. Loads,
+    /// areas and flows of fields on it are those of one period, [`Grid::size_y`].
+    ///
+    /// # Errors
+    /// Those of [`Grid::from_edges`], and fewer than 5 rows.
+    ///
+    /// ```
+    /// use stribeck::Grid;
+    /// let strip = Grid::strip(128, 64, [-0.25e-3, 0.25e-3], [-0.1e-3, 0.1e-3])?;
+    /// assert!(strip.is_strip() && (strip.size_y() / 0.2e-3 - 1.0).abs() < 1e-12);
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    pub fn strip(nx: usize, ny: usize, x: [f64; 2], y: [f64; 2]) -> Result<Self, InputError> {
+        InputError::require(ny >= 5, "grid.ny", ny as f64, "at least 5 for a strip")?;
+        Ok(Self { is_periodic: true, ..Self::from_edges(nx, ny, x, y)? })
     }
 
     /// The first `nx` x `ny` cells.
     pub(crate) fn corner(&self, nx: usize, ny: usize) -> Self {
-        Self { nx, ny, ..*self }
+        Self { nx, ny, is_periodic: false, ..*self }
     }
 
     /// Rejects a count of zero, and more nodes than [`Grid::MAX_NODES`].
@@ -106,6 +125,19 @@ impl Grid {
     #[expect(clippy::len_without_is_empty, reason = "a grid has at least one node")]
     pub fn len(&self) -> usize {
         self.nx * self.ny
+    }
+    /// Whether the rows repeat along y, see [`Grid::strip`].
+    pub fn is_strip(&self) -> bool {
+        self.is_periodic
+    }
+    /// Whether the first and the last row are edges: not for a line contact, as one row or as a strip.
+    pub(crate) fn has_side_edges(&self) -> bool {
+        self.ny > 1 && !self.is_periodic
+    }
+    /// Length that the loads, areas and flows of a line contact on this grid refer to; one for a point contact
+    /// \[m\].
+    pub(crate) fn contact_length(&self) -> f64 {
+        if self.is_periodic { self.size_y() } else { 1.0 }
     }
     /// Area of one cell \[m^2\].
     pub fn cell_area(&self) -> f64 {

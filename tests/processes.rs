@@ -253,11 +253,12 @@ fn a_squeezed_history_is_of_second_order_in_time() {
         sim.state().film.clone()
     };
     let [coarse, middle, fine] = [16, 32, 64].map(film);
+    let (f2, f3) = (film(128), film(256));
     let apart = |a: &[f64], b: &[f64]| {
         let inside = grid.nodes().zip(a.iter().zip(b)).filter(|((x, y), _)| x.hypot(*y) < 1e-4);
         inside.map(|(_, (a, b))| (a - b).powi(2)).sum::<f64>().sqrt()
     };
-    println!("{:e} {:e}", apart(&coarse, &middle), apart(&middle, &fine));
+    println!("{:e} {:e} {:e} {:e}", apart(&coarse, &middle), apart(&middle, &fine), apart(&fine, &f2), apart(&f2, &f3));
     let order = (apart(&coarse, &middle) / apart(&middle, &fine)).log2();
     assert!(order > 1.7, "order {order}");
 }

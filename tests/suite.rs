@@ -54,6 +54,7 @@ mod sim;
 mod spin;
 mod starvation;
 mod strange_files;
+mod strip;
 mod subsurface;
 mod surface;
 mod thermal_film;

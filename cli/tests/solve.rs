@@ -256,3 +256,29 @@ fn estimates_are_printed_and_written() {
         assert!(errors.contains(name), "{errors}");
     }
 }
+
+#[test]
+fn strip_is_solved_and_checked_per_metre() {
+    let (_folder, path) = scene(
+        &std::fs::read_to_string(format!("{SCENES}/strip.toml"))
+            .unwrap()
+            .replace("nx = 128", "nx = 64")
+            .replace("ny = 64", "ny = 32"),
+    );
+    let path = path.to_str().unwrap();
+    let [solved, json, checked] =
+        [vec!["solve", path], vec!["solve", path, "--json"], vec!["check", path]].map(|line| stribeck(&line));
+    assert!(
+        [&solved, &json, &checked].iter().all(|output| output.status.success()),
+        "{solved:?} {json:?} {checked:?}"
+    );
+    let printed = String::from_utf8(solved.stdout).unwrap();
+    for part in ["3.0700e5 N/m, half-width", "m^2/s", "% of the area plastic", "on 64 x 32 nodes"] {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+    assert!(!printed.contains("500000") && !printed.contains("m^3/s"), "{printed}");
+    close(number(&json_of(&json), "/hertz/force"), 307e3, 1e-12);
+    let text = String::from_utf8(checked.stdout).unwrap();
+    assert!(text.contains("3.0700e5 N/m, half-width") && text.contains("modelled   strip"), "{text}");
+    assert!(text.contains("run        no: grid.across"), "{text}");
+}

@@ -66,6 +66,11 @@ impl LineHalfSpace {
 /// Checks that `grid` has one row and that the reference distance \[m\] is at least its length.
 pub(super) fn require_row(grid: &Grid, reference: f64) -> Result<(), InputError> {
     InputError::require(grid.ny() == 1, "grid.ny", grid.ny() as f64, "1 for a line contact")?;
+    require_reference(grid, reference)
+}
+
+/// Checks that the reference distance \[m\] is at least the length of `grid` along x.
+pub(super) fn require_reference(grid: &Grid, reference: f64) -> Result<(), InputError> {
     InputError::require(
         reference.is_finite() && reference >= grid.size_x(),
         "reference",

@@ -3,7 +3,8 @@
 //! [`DeformationModel`] is the interface of the solvers to an elastic body: the displacement under a pressure
 //! field and the influence coefficients of near nodes. [`ResponseApproximations`] are cheaper operators that
 //! speed solvers up. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence coefficients,
-//! DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts, and
+//! DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts,
+//! [`PeriodicHalfSpace`] that under loads that repeat across the flow, and
 //! [`LayeredHalfSpace`] either of them with a bonded [`Layer`]. [`WithLocalCompliance`] adds the compliance
 //! of a thin [`BondedFilm`] to any of them. [`direct_displacement`] is the slow direct sum that verifies the
 //! half-space. [`subsurface_stress`] and [`stress_extremes`] compute stresses below the surface,
@@ -16,6 +17,7 @@ mod half_space;
 mod layered;
 mod line;
 mod local_compliance;
+mod periodic;
 mod response;
 mod subsurface;
 
@@ -28,6 +30,7 @@ pub use half_space::HalfSpace;
 pub use layered::{Layer, LayerStressExtremes, LayeredHalfSpace, LayeredStress, LayeredStressExtremes};
 pub use line::LineHalfSpace;
 pub use local_compliance::WithLocalCompliance;
+pub use periodic::PeriodicHalfSpace;
 pub use subsurface::{Extreme, StressExtremes, StressField, stress_extremes, subsurface_stress};
 
 use crate::error::InputError;

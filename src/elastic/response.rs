@@ -33,8 +33,15 @@ pub(super) struct ElasticResponse {
 impl ElasticResponse {
     /// The response with displacement `kernel(i, j)` \[m/Pa\] at an offset of `i` columns and `j` rows.
     pub(super) fn new(grid: Grid, kernel: impl Fn(isize, isize) -> f64) -> Self {
-        let plan = ConvolutionPlan::new(grid.nx(), grid.ny(), &kernel);
-        let periodic = ConvolutionPlan::periodic(grid.nx(), grid.ny(), &kernel);
+        let (nx, ny) = (grid.nx(), grid.ny());
+        let (plan, periodic) = if grid.is_strip() {
+            (
+                ConvolutionPlan::periodic_across(nx, ny, &kernel),
+                ConvolutionPlan::periodic_strip(nx, ny, &kernel),
+            )
+        } else {
+            (ConvolutionPlan::new(nx, ny, &kernel), ConvolutionPlan::periodic(nx, ny, &kernel))
+        };
         let self_influence = kernel(0, 0);
         Self {
             grid,

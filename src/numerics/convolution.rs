@@ -70,17 +70,32 @@ pub(crate) fn fast_length(n: usize) -> usize {
     }
 }
 
+/// Length of padded columns, at least `least`; a single row is not padded across.
+fn fast_rows(ny: usize, least: usize) -> usize {
+    if ny == 1 { 1 } else { fast_length(least) }
+}
+
 impl ConvolutionPlan {
     /// Plan for fields of `nx` x `ny` and the kernel `kernel(i, j)` at offsets `-nx < i < nx`,
     /// `-ny < j < ny`.
     pub(crate) fn new(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
-        Self::padded(nx, ny, [2 * nx - 1, 2 * ny - 1], kernel)
+        Self::padded([nx, ny], [fast_length(2 * nx - 1), fast_rows(ny, 2 * ny - 1)], kernel)
     }
 
     /// Convolution on the periodic grid of the fields, padded only to a fast length, with minimum-image
     /// distances. It costs a quarter of the zero-padded one.
     pub(crate) fn periodic(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
-        Self::padded(nx, ny, [nx, ny], kernel)
+        Self::padded([nx, ny], [fast_length(nx), fast_rows(ny, ny)], kernel)
+    }
+
+    /// Convolution whose period along y is the rows of the fields, free along x.
+    pub(crate) fn periodic_across(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
+        Self::padded([nx, ny], [fast_length(2 * nx - 1), ny], kernel)
+    }
+
+    /// The same on a grid that is also periodic along x, padded to a fast length there, with minimum-image distances.
+    pub(crate) fn periodic_strip(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
+        Self::padded([nx, ny], [fast_length(nx), ny], kernel)
     }
 
     /// The plan in single precision with the kernel multiplied by `factor`: half of the memory and about half
@@ -91,11 +106,10 @@ impl ConvolutionPlan {
         plan
     }
 
-    /// Plan on a padded grid of at least `least` values along each axis; a single row is not padded across.
-    fn padded(nx: usize, ny: usize, least: [usize; 2], kernel: impl Fn(isize, isize) -> f64) -> Self {
-        let padded_y = if ny == 1 { 1 } else { fast_length(least[1]) };
-        let mut plan = Self::transforms([nx, ny], [fast_length(least[0]), padded_y]);
-        plan.spectrum = Spectrum::new(plan.kernel_spectrum(kernel), padded_y);
+    /// Plan for fields of `nx` x `ny` on a padded grid of these `lengths`.
+    fn padded(size: [usize; 2], lengths: [usize; 2], kernel: impl Fn(isize, isize) -> f64) -> Self {
+        let mut plan = Self::transforms(size, lengths);
+        plan.spectrum = Spectrum::new(plan.kernel_spectrum(kernel), lengths[1]);
         plan
     }
 

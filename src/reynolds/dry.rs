@@ -52,10 +52,11 @@ impl DryStart {
 
     /// Mean gap of the dry contact inside the reference ellipse \[m\].
     fn mean_gap(&self, problem: &LubricatedContact<'_>) -> f64 {
-        let (a, b) = problem.reference_half_widths;
+        let grid = problem.grid();
         let (mut sum, mut n) = (0.0, 0_usize);
-        for (k, (x, y)) in problem.grid().nodes().enumerate() {
-            if (x / a).powi(2) + (y / b).powi(2) <= 1.0 {
+        for (k, point) in grid.nodes().enumerate() {
+            let [along, across] = problem.reference_distances(&grid, point);
+            if along + across <= 1.0 {
                 sum += self.solver.gap()[k].max(0.0);
                 n += 1;
             }
@@ -96,9 +97,9 @@ pub(super) fn hertzian(problem: &LubricatedContact<'_>, pressure: &mut [f64]) {
 
 /// The same on another grid.
 pub(super) fn hertzian_on(grid: &Grid, problem: &LubricatedContact<'_>, pressure: &mut [f64]) {
-    let (a, b) = problem.reference_half_widths;
-    for (p, (x, y)) in pressure.iter_mut().zip(grid.nodes()) {
-        let inside = 1.0 - (x / a).powi(2) - (y / b).powi(2);
+    for (p, point) in pressure.iter_mut().zip(grid.nodes()) {
+        let [along, across] = problem.reference_distances(grid, point);
+        let inside = 1.0 - along - across;
         *p = problem.reference_pressure * inside.max(0.0).sqrt();
     }
 }
@@ -158,7 +159,7 @@ fn reject_edge_contact(grid: &Grid, state: &ContactState) -> Result<(), Reynolds
     let (nx, ny) = (grid.nx(), grid.ny());
     for k in 0..grid.len() {
         let (i, j) = (k % nx, k / nx);
-        let at_edge = i <= 1 || i + 2 >= nx || (ny > 1 && (j <= 1 || j + 2 >= ny));
+        let at_edge = i <= 1 || i + 2 >= nx || (grid.has_side_edges() && (j <= 1 || j + 2 >= ny));
         if at_edge && state.pressure[k] > 0.0 {
             return Err(ReynoldsError::EdgeContact { x: grid.x(i), y: grid.y(j) });
         }

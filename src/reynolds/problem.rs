@@ -138,7 +138,8 @@ pub struct EdgePressure<'a> {
 /// nodes; solids may touch there.
 ///
 /// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, there is no flow
-/// along y, and loads are those of the length `dy`.
+/// along y, and loads are those of the length `dy`. On a [strip](Grid::strip) the two ends of each row are outermost
+/// nodes, no fluid flows across the first and the last row, and loads are those of its width.
 ///
 /// # Examples
 ///
@@ -206,7 +207,8 @@ pub struct LubricatedContact<'a> {
     pub edge_pressure: Option<EdgePressure<'a>>,
     /// Shear thinning of the pressure flow; `None` for a Newtonian fluid.
     pub shear_thinning: Option<ShearThinning>,
-    /// Half-widths `(a_x, a_y)` of the contact \[m\], usually those of Hertz, for the scale of residuals and for starts.
+    /// Half-widths `(a_x, a_y)` of the contact \[m\], usually those of Hertz, for the scale of residuals and for starts;
+    /// the second one of a strip is half of its width.
     pub reference_half_widths: (f64, f64),
     /// Pressure \[Pa\] for starts, usually the Hertz pressure.
     pub reference_pressure: f64,
@@ -290,6 +292,13 @@ impl LubricatedContact<'_> {
     /// Fluid pressure of the outermost node `k` \[Pa\].
     pub(super) fn edge_pressure_at(&self, k: usize) -> f64 {
         self.edge_pressure.map_or(0.0, |edge| edge.field[k])
+    }
+
+    /// Squared distances of the point `(x, y)` of `grid` from the center along both axes, in half-widths of the
+    /// reference; across a strip the second one is zero.
+    pub(super) fn reference_distances(&self, grid: &Grid, (x, y): (f64, f64)) -> [f64; 2] {
+        let (a, b) = self.reference_half_widths;
+        [(x / a).powi(2), if grid.is_strip() { 0.0 } else { (y / b).powi(2) }]
     }
 
     /// Pressure limit of node `k` \[Pa\]; infinite without a limit.
@@ -381,10 +390,11 @@ impl LubricatedContact<'_> {
     }
 }
 
-/// Indices of the outermost nodes; for a line contact the two ends of its row.
+/// Indices of the outermost nodes; for a line contact the two ends of its rows.
 pub(crate) fn outermost(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
     let (nx, ny) = (grid.nx(), grid.ny());
-    let at_side = move |j: usize| ny > 1 && (j == 0 || j + 1 == ny);
+    let has_sides = grid.has_side_edges();
+    let at_side = move |j: usize| has_sides && (j == 0 || j + 1 == ny);
     (0..ny).flat_map(move |j| {
         let step = if at_side(j) { 1 } else { nx.max(2) - 1 };
         (0..nx).step_by(step).map(move |i| j * nx + i)

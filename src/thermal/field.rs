@@ -294,6 +294,8 @@ impl FilmTemperature {
     fn find_other_heat(&mut self, flow: &FilmFlow<'_>) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
         let (dx, dy) = (self.grid.dx(), self.grid.dy());
+        let is_strip = self.grid.is_strip();
+        let rows_to_next = |j: usize| if is_strip { 1.0 } else { cells_to_next(flow.flows, j, ny) };
         self.pressure_heat.fill(0.0);
         for k in 0..n {
             if k % nx + 1 < nx {
@@ -304,11 +306,7 @@ impl FilmTemperature {
                 );
             }
             if k + nx < n {
-                self.drive(
-                    flow,
-                    [k, k + nx],
-                    flow.flows.north[k] / (cells_to_next(flow.flows, k / nx, ny) * dy),
-                );
+                self.drive(flow, [k, k + nx], flow.flows.north[k] / (rows_to_next(k / nx) * dy));
             }
             self.resistance[k] = flow.film_at(k) / self.properties.conductivity;
             let (before, after) = (k - usize::from(k % nx > 0), k + usize::from(k % nx + 1 < nx));

@@ -97,7 +97,7 @@ pub struct FlashTemperature {
 }
 
 impl FlashTemperature {
-    /// Plans for fields on `grid`, with the thermal properties of the two `bodies` and the `speeds` \[m/s\]
+    /// Plans for fields on `grid`, which repeat along y on a strip, with the thermal properties of the two `bodies` and the `speeds` \[m/s\]
     /// (signed, along x) of their surfaces relative to the contact.
     ///
     /// # Errors
@@ -109,7 +109,8 @@ impl FlashTemperature {
         }
         let [first, second] = [0, 1].map(|b| MovingSource::new(grid, bodies[b], speeds[b]));
         let plan = |kernel: &dyn Fn(isize, isize) -> f64| {
-            Convolution::new(Arc::new(ConvolutionPlan::new(grid.nx(), grid.ny(), kernel)))
+            let make = if grid.is_strip() { ConvolutionPlan::periodic_across } else { ConvolutionPlan::new };
+            Convolution::new(Arc::new(make(grid.nx(), grid.ny(), kernel)))
         };
         let zeros = || vec![0.0; grid.len()];
         Ok(Self {

@@ -46,7 +46,7 @@ impl Default for ThermalBody {
     }
 }
 
-/// Influence coefficients \[K m^2/W\] of uniformly heated cells: temperature at a node for a unit flux into
+/// Influence coefficients \[K m^2/W\] of uniformly heated cells, on a strip with their images along y: temperature at a node for a unit flux into
 /// the cell at an offset, tabulated for `-nx < di < nx` and `0 <= dj < ny` (symmetric in y).
 #[derive(Debug)]
 pub(super) struct MovingSource {
@@ -65,6 +65,14 @@ impl MovingSource {
         let direction = if speed < 0.0 { -1.0 } else { 1.0 };
         let scale = 1.0 / (2.0 * PI * body.conductivity);
         let mut table = Vec::with_capacity((2 * nx - 1) * ny);
+        if grid.is_strip() {
+            let periodic = PeriodicSource::new(grid, decay);
+            let rows: Vec<Vec<f64>> = (0..=ny / 2).map(|dj| periodic.row(dj, direction)).collect();
+            for dj in 0..ny {
+                table.extend(rows[dj.min(ny - dj)].iter().map(|integral| scale * integral));
+            }
+            return Self { nx, table };
+        }
         for dj in 0..ny {
             for column in 0..2 * nx - 1 {
                 let x = direction * (column as f64 - (nx - 1) as f64) * dx;
@@ -78,6 +86,64 @@ impl MovingSource {
     pub(super) fn at(&self, di: isize, dj: isize) -> f64 {
         let column = (di + self.nx as isize - 1).unsigned_abs();
         self.table[dj.unsigned_abs() * (2 * self.nx - 1) + column]
+    }
+}
+
+/// Images of a cell on each side of a strip that are summed one by one.
+const NEAR_PERIODS: i32 = 8;
+/// Half of the length over which a strip is heated \[m\], as a line contact is.
+const HALF_LENGTH: f64 = 0.5;
+/// Distance along y, in half sides of a cell, beyond which four points represent the cell.
+const FAR: f64 = 16.0;
+
+/// Integrals over a cell of a strip and all of its images along y: near ones one by one, further ones as heat that is
+/// uniform along y.
+struct PeriodicSource {
+    /// Columns of the grid.
+    nx: usize,
+    /// Half sides of a cell \[m\].
+    half: [f64; 2],
+    /// Period along y \[m\].
+    period: f64,
+    /// `|V| / (2 kappa)` \[1/m\].
+    decay: f64,
+}
+
+impl PeriodicSource {
+    fn new(grid: &Grid, decay: f64) -> Self {
+        Self { nx: grid.nx(), half: [0.5 * grid.dx(), 0.5 * grid.dy()], period: grid.size_y(), decay }
+    }
+
+    /// Integrals of all columns at an offset of `dj` rows, for motion in this `direction` along x.
+    fn row(&self, dj: usize, direction: f64) -> Vec<f64> {
+        let Self { nx, half: [half_x, half_y], period, decay } = *self;
+        let y = 2.0 * half_y * dj as f64;
+        let near = (f64::from(NEAR_PERIODS) + 0.5) * period;
+        let per_length = 2.0 * half_y / period;
+        let columns = (0..2 * nx - 1).map(|column| {
+            let x = direction * (column as f64 - (nx - 1) as f64) * 2.0 * half_x;
+            let images: f64 =
+                (-NEAR_PERIODS..=NEAR_PERIODS).map(|q| self.image(x, y + f64::from(q) * period)).sum();
+            let [all, within] = [[0.0, HALF_LENGTH.max(near)], [y, near]]
+                .map(|[y, half]| cell_integral(x, y, [half_x, half], decay));
+            images + per_length * (all - within)
+        });
+        columns.collect()
+    }
+
+    /// Integral over the cell at `(x, y)`; of a far one by Gauss' rule with two points along each axis.
+    fn image(&self, x: f64, y: f64) -> f64 {
+        let [half_x, half_y] = self.half;
+        if y.abs() < FAR * half_x.max(half_y) {
+            return cell_integral(x, y, self.half, self.decay);
+        }
+        let at = 1.0 / 3.0_f64.sqrt();
+        let points = [[-at, -at], [-at, at], [at, -at], [at, at]].map(|[s, t]| {
+            let (x, y) = (x + s * half_x, y + t * half_y);
+            let radius = x.hypot(y);
+            (-self.decay * lag(x, y, radius)).exp() / radius
+        });
+        points.iter().sum::<f64>() * half_x * half_y
     }
 }
 

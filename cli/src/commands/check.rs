@@ -111,7 +111,8 @@ impl Expected {
     fn cells(&self) -> f64 {
         let grid = self.sim.grid();
         let [half_x, half_y] = self.hertz.half_extents();
-        let across = if grid.ny() > 1 { half_y / grid.dy() } else { f64::INFINITY };
+        let is_line = self.sim.scene().form.is_line();
+        let across = if is_line { f64::INFINITY } else { half_y / grid.dy() };
         (half_x / grid.dx()).min(across)
     }
 

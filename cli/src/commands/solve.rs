@@ -108,7 +108,8 @@ fn claim(options: &Options, scene: &Scene) -> Result<(), String> {
     }
     if options.output.plot {
         let (out, name) = (&options.output.out, output::stem(&options.scene));
-        let maps = (!scene.form.is_line()).then(|| picture::files(out, &format!("{name}_maps")));
+        let has_rows = !scene.form.is_line() || matches!(scene.grid, GridSpec::Strip { .. });
+        let maps = has_rows.then(|| picture::files(out, &format!("{name}_maps")));
         let mut targets: Vec<PathBuf> = maps.into_iter().flatten().collect();
         targets.extend(picture::files(out, &format!("{name}_profile")));
         files::make_folder(out)?;

@@ -96,7 +96,7 @@ impl Maps<'_> {
         };
         let x = edges(grid.x(0), grid.dx(), inner(grid.nx()));
         let y = edges(grid.y(0), grid.dy(), inner(grid.ny()));
-        let (x_number, y_number) = (tick(&x), tick(&y));
+        let (x_number, y_number, sides) = (tick(&x), tick(&y), y.clone());
         let middle = (MARGIN + LEFT + FIELD / 2) as i32;
         let title = text(TEXT_SIZE + 1).pos(Pos::new(HPos::Center, VPos::Center));
         area.draw(&Text::new(map.title.as_str(), (middle, TOP as i32 / 2), title))?;
@@ -109,10 +109,17 @@ impl Maps<'_> {
         chart.draw_series(self.rectangles(map))?;
         if map.outline {
             let (a, b) = (self.hertz.half_width_x * 1e6, self.hertz.half_width_y * 1e6);
-            let (sin, cos) = self.hertz.angle.sin_cos();
-            let ring = (0..=120).map(|k| (f64::from(k) * std::f64::consts::TAU / 120.0).sin_cos());
-            let rim = ring.map(|(s, c)| (cos * a * c - sin * b * s, sin * a * c + cos * b * s));
-            chart.draw_series(LineSeries::new(rim, WHITE.stroke_width(1)))?;
+            if grid.is_strip() {
+                for x in [-a, a] {
+                    let side = [(x, sides.start), (x, sides.end)];
+                    chart.draw_series(LineSeries::new(side, WHITE.stroke_width(1)))?;
+                }
+            } else {
+                let (sin, cos) = self.hertz.angle.sin_cos();
+                let ring = (0..=120).map(|k| (f64::from(k) * std::f64::consts::TAU / 120.0).sin_cos());
+                let rim = ring.map(|(s, c)| (cos * a * c - sin * b * s, sin * a * c + cos * b * s));
+                chart.draw_series(LineSeries::new(rim, WHITE.stroke_width(1)))?;
+            }
         }
         chart
             .configure_mesh()

@@ -53,17 +53,19 @@ impl BodyKey {
 }
 
 /// Merges cells in pairs, along each axis with more than one cell. For an odd count the last coarse cell
-/// extends beyond the edge.
+/// extends beyond the edge; the rows of a strip, whose period it would change, are not merged.
 fn coarsened(grid: &Grid) -> Option<Grid> {
     let halved = |n: usize| if n == 1 { 1 } else { n.div_ceil(2) };
     let (nx, ny) = (halved(grid.nx()), halved(grid.ny()));
-    if grid.nx() < MIN_CELLS || (grid.ny() > 1 && grid.ny() < MIN_CELLS) {
+    let is_odd_strip = grid.is_strip() && !grid.ny().is_multiple_of(2);
+    if grid.nx() < MIN_CELLS || (grid.ny() > 1 && grid.ny() < MIN_CELLS) || is_odd_strip {
         return None;
     }
     let rows = if grid.ny() == 1 { 1.0 } else { 2.0 };
     let (left, bottom) = (grid.x(0) - 0.5 * grid.dx(), grid.y(0) - 0.5 * grid.dy());
     let (width, height) = (2.0 * grid.dx() * nx as f64, rows * grid.dy() * ny as f64);
-    Grid::from_edges(nx, ny, [left, left + width], [bottom, bottom + height]).ok()
+    let make = if grid.is_strip() { Grid::strip } else { Grid::from_edges };
+    make(nx, ny, [left, left + width], [bottom, bottom + height]).ok()
 }
 
 impl Coarser {

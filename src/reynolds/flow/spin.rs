@@ -23,7 +23,7 @@ pub(crate) fn require_spin(
     InputError::require(radius.is_finite(), field, radius, "finite")?;
     let (first, last) = (grid.y(0), grid.y(grid.ny().saturating_sub(1)));
     let extent = first.abs().max(last.abs());
-    let reason = if grid.ny() == 1 {
+    let reason = if !grid.has_side_edges() {
         "a line contact has no second axis to turn in".to_owned()
     } else if radius.abs() <= extent {
         format!(

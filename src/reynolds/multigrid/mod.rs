@@ -142,6 +142,7 @@ impl Multigrid {
     pub(super) fn suits(problem: &LubricatedContact<'_>) -> bool {
         let grid = problem.grid();
         grid.nx().min(grid.ny()) >= SMALLEST_GRID
+            && !grid.is_strip()
             && problem.supplied_film.is_none()
             && problem.spin_radius.is_none()
             && problem.edge_pressure.is_none()
@@ -158,6 +159,9 @@ impl Multigrid {
         check_call(problem, state, stop)?;
         if problem.grid().ny() == 1 {
             return Err(self.wrong_solver("a line contact has no second axis to coarsen"));
+        }
+        if problem.grid().is_strip() {
+            return Err(self.wrong_solver("its grids have edges at their sides; take another solver"));
         }
         if problem.spin_radius.is_some() {
             return Err(self.wrong_solver(

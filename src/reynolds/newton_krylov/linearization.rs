@@ -134,10 +134,16 @@ impl Linearization {
             for i in 1..nx - 1 {
                 out[i] = east[i] - east[i - 1];
             }
-            if ny > 1 {
-                let (north, south) = (&self.north_change[first..n], &self.north_change[first - nx..first]);
+            // The first row of a strip has no face to the south, the last one no flow to the north.
+            let north = &self.north_change[first..n];
+            if first >= nx {
+                let south = &self.north_change[first - nx..first];
                 for ((out, north), south) in out[1..nx - 1].iter_mut().zip(&north[1..]).zip(&south[1..]) {
                     *out += north - south;
+                }
+            } else if ny > 1 {
+                for (out, north) in out[1..nx - 1].iter_mut().zip(&north[1..]) {
+                    *out += north;
                 }
             }
             if self.across.is_some() {
@@ -192,10 +198,10 @@ impl Linearization {
         let (east, north, mass) = (&self.east, &self.north, &self.mass);
         // Derivatives by pressures (`a` = 0) or by films (2), at `a` and `a + 1` in the flows.
         let derivatives = |a: usize| {
-            let across = if self.grid.ny() > 1 {
-                [north[a][k] - north[a + 1][k - nx], north[a + 1][k], -north[a][k - nx]]
-            } else {
-                [0.0; 3]
+            // Beyond the last row there is no flow.
+            let across = match k.checked_sub(nx) {
+                Some(south) => [north[a][k] - north[a + 1][south], north[a + 1][k], -north[a][south]],
+                None => [north[a][k], north[a + 1][k], 0.0],
             };
             let mass = &mass[a / 2];
             [
@@ -207,8 +213,8 @@ impl Linearization {
             ]
         };
         let (by_pressure, by_film) = (derivatives(0), derivatives(2));
-        let rows = if self.grid.ny() > 1 { nx } else { 0 };
-        let nodes = [k, k + 1, k - 1, k + rows, k - rows];
+        let north_of = if k + nx < self.grid.len() { k + nx } else { k };
+        let nodes = [k, k + 1, k - 1, north_of, k.checked_sub(nx).unwrap_or(k)];
         let share = if is_coupled[k] { self.advected[k] } else { 1.0 };
         let mut row = std::array::from_fn(|slot| {
             let [pressure, film] = dof_map(nodes[slot]);

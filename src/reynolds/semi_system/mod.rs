@@ -123,6 +123,10 @@ impl ContactSolver for SemiSystem {
             let reason = "the problem has no lubricant";
             return Err(ReynoldsError::WrongSolver { solver: self.id(), reason });
         }
+        if problem.is_paper() && problem.grid().is_strip() {
+            let reason = "sweeps of the unified Reynolds model need side edges; take contact = \"hard\"";
+            return Err(ReynoldsError::WrongSolver { solver: self.id(), reason });
+        }
         Ok(())
     }
 

@@ -288,7 +288,7 @@ impl FilmIteration {
             )?,
             surface_rise_ball,
             surface_rise_disc,
-            heat: balance.generated,
+            heat: balance.generated / model.grid.contact_length(),
             imbalance: balance.imbalance(),
             solves,
             change,

@@ -31,4 +31,5 @@ pub(in crate::sim) mod per_body;
 pub(in crate::sim) mod setup;
 pub(in crate::sim) mod solution;
 pub(in crate::sim) mod solution_numbers;
+pub(in crate::sim) mod strip;
 pub(in crate::sim) mod warnings;

@@ -6,7 +6,7 @@
 
 use std::sync::atomic::Ordering;
 
-use crate::elastic::{HalfSpace, LayeredHalfSpace, LineHalfSpace, WithLocalCompliance};
+use crate::elastic::{HalfSpace, LayeredHalfSpace, LineHalfSpace, PeriodicHalfSpace, WithLocalCompliance};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
@@ -36,7 +36,7 @@ const VERIFIED: f64 = 2.0;
 pub(in crate::sim) struct ContactModel {
     /// Grid of all fields.
     pub(in crate::sim) grid: Grid,
-    /// Hertz contact of the smooth bodies under the load.
+    /// Hertz contact of the smooth bodies under the load; of a strip that of one period.
     pub(in crate::sim) hertz: HertzContact,
     /// Gap of the smooth, undeformed bodies \[m\].
     pub(in crate::sim) form_gap: Vec<f64>,
@@ -80,7 +80,7 @@ pub(in crate::sim) struct ContactModel {
     pub(in crate::sim) evaluation: Option<Evaluation>,
     /// Whether the solver keeps its buffers for a further solve.
     pub(in crate::sim) reuses_buffers: bool,
-    /// Flow balance of the last solution.
+    /// Flow balance of the last solution, per metre for a line contact.
     pub(in crate::sim) flow: Option<FlowBalance>,
     /// Flows through the cells of the last solution; `None` for isothermal films.
     pub(in crate::sim) film_flows: Option<FilmFlows>,
@@ -157,7 +157,7 @@ impl ContactModel {
             flow: None,
             film_flows: film_temperature::models_film_temperature(scene).then(FilmFlows::default),
             grid,
-            hertz,
+            hertz: hertz.on(&grid),
             form_gap,
             deformation,
             films: CompliantFilms::of(scene, grid.len())?,
@@ -188,9 +188,10 @@ impl ContactModel {
         }
     }
 
-    /// The Hertz contact under `load` \[N\].
+    /// The Hertz contact under `load` \[N\]; of a strip that of one period under `load` \[N/m\].
     pub(in crate::sim) fn hertz_under(&self, scene: &Scene, load: f64) -> Result<HertzContact, InputError> {
-        if load.to_bits() == self.load.to_bits() { Ok(self.hertz) } else { scene.hertz_under(load) }
+        let is_present = load.to_bits() == self.load.to_bits();
+        if is_present { Ok(self.hertz) } else { Ok(scene.hertz_under(load)?.on(&self.grid)) }
     }
 
     /// Sets load and speeds of `conditions`.
@@ -208,8 +209,9 @@ impl ContactModel {
         self.warm_to(temperature);
         let (hertz, motion) = (self.hertz_under(scene, conditions.load)?, conditions.motion);
         let law = self.lubricant.as_ref().map(Lubricant::viscosity);
-        let formulas = formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
-        let stated_film = stated_film(scene, &hertz, conditions, law)?;
+        let per_metre = hertz.per_metre(&self.grid);
+        let formulas = formula_film(scene, &per_metre, motion.entrainment_speed, law, None)?;
+        let stated_film = stated_film(scene, &per_metre, conditions, law)?;
         let shear_thinning = scene.friction.shear_thinning(motion.sliding_speed())?;
         (self.hertz, self.motion, self.formulas, self.stated_film) = (hertz, motion, formulas, stated_film);
         (self.load, self.shear_thinning) = (conditions.load, shear_thinning);
@@ -264,6 +266,8 @@ impl ContactModel {
         squeeze: Option<Squeeze<'a>>,
         edge_pressure: Option<EdgePressure<'a>>,
     ) -> (LubricatedContact<'a>, &'a mut Box<dyn OwnedSolver>, &'a mut Option<Evaluation>) {
+        let [half_x, half_y] = self.hertz.half_extents();
+        let half_y = if self.grid.is_strip() { 0.5 * self.grid.size_y() } else { half_y };
         let reference_film = self.formula_film().min(self.supplied_film.unwrap_or(f64::INFINITY));
         let problem = LubricatedContact {
             gap,
@@ -282,7 +286,7 @@ impl ContactModel {
             supplied_film: self.supplied_film,
             edge_pressure,
             shear_thinning: self.shear_thinning,
-            reference_half_widths: self.hertz.half_extents().into(),
+            reference_half_widths: (half_x, half_y),
             reference_pressure: self.hertz.pressure,
             reference_film,
         };
@@ -360,7 +364,12 @@ impl ContactModel {
             return Err(SimError::Interrupted);
         }
         let report = solved?;
-        self.flow = measured?;
+        let length = self.grid.contact_length();
+        self.flow = measured?.map(|flow| FlowBalance {
+            inflow: flow.inflow / length,
+            outflow: flow.outflow / length,
+            ..flow
+        });
         Ok(report)
     }
 }
@@ -451,7 +460,7 @@ pub(in crate::sim) fn validate_loads(
         return Ok(());
     }
     for load in operating_schedule.loads() {
-        let hertz = scene.hertz_under(load)?;
+        let hertz = scene.hertz_under(load)?.on(grid);
         setup::validate_box(grid, &hertz, scene.form.is_line())?;
         if let Some(plastic) = plastic {
             let [ball, disc] = scene.hardnesses(plastic.hardness);
@@ -500,7 +509,11 @@ pub(in crate::sim) fn half_space(
     reference: f64,
 ) -> Result<Box<dyn OwnedModel>, InputError> {
     let modulus = scene.equivalent_modulus()?;
-    Ok(match (scene.layer()?, scene.form.is_line()) {
+    let layer = scene.layer()?;
+    if grid.is_strip() {
+        return Ok(Box::new(PeriodicHalfSpace::new(grid, modulus, reference)?));
+    }
+    Ok(match (layer, scene.form.is_line()) {
         (None, false) => Box::new(HalfSpace::new(grid, modulus)?),
         (None, true) => Box::new(LineHalfSpace::new(grid, modulus, reference)?),
         (Some(layer), false) => Box::new(LayeredHalfSpace::new(grid, modulus, layer)?),

@@ -116,7 +116,7 @@ fn wider(axis: Axis, sides: [bool; 2], grid: &Grid, hertz: &HertzContact) -> (&'
 
 /// Axes with edges; only x for a line contact.
 fn axes(grid: &Grid) -> &'static [Axis] {
-    if grid.ny() == 1 { &[Axis::X] } else { &[Axis::Y, Axis::X] }
+    if grid.has_side_edges() { &[Axis::Y, Axis::X] } else { &[Axis::X] }
 }
 
 /// Returns `solved`, the contact of `model` in `state`, unless it converged with solid contact in the outermost rows and

@@ -15,6 +15,7 @@ use crate::sim::contact::boxed_clone::OwnedSolver;
 use crate::sim::contact::friction_laws::boundary_law;
 pub(in crate::sim) use crate::sim::contact::memory::validate_memory;
 use crate::sim::contact::oil::viscosity_law;
+use crate::sim::contact::strip;
 use crate::sim::contact::warnings::{Warning, reject_units};
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
@@ -66,6 +67,7 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
     }
     stopping_rule(scene)?;
     asperity_inlets::validate(scene)?;
+    strip::validate(scene)?;
     reject_units(scene)
 }
 
@@ -203,18 +205,20 @@ pub(in crate::sim) fn validate_hardness(
     grid: &Grid,
     hertz: &HertzContact,
 ) -> Result<(), InputError> {
-    let rows = if grid.ny() == 1 { 1 } else { grid.ny().saturating_sub(2) };
+    let rows = if grid.has_side_edges() { grid.ny().saturating_sub(2) } else { grid.ny() };
     let nodes = grid.nx().saturating_sub(2) * rows;
     let largest = hardness * nodes as f64 * grid.cell_area();
     if nodes == 0 || hertz.force < largest {
         return Ok(());
     }
+    let (length, unit) = (grid.contact_length(), if grid.has_side_edges() { "N" } else { "N/m" });
     Err(InputError::Conflict {
         field: format!("plastic.hardness = {}", format_number(hardness)),
         reason: format!(
-            "the box carries less than {largest:.6e} N at this pressure, the load is {:.6e} N; a larger hardness, less load or a \
-             wider box",
-            hertz.force
+            "the box carries less than {:.6e} {unit} at this pressure, the load is {:.6e} {unit}; a larger \
+             hardness, less load or a wider box",
+            largest / length,
+            hertz.force / length
         ),
     })
 }

@@ -124,7 +124,7 @@ impl ContactModel {
         ContactSolution {
             report,
             grid: self.grid,
-            hertz: self.hertz,
+            hertz: self.hertz.per_metre(&self.grid),
             moes: self.formulas.map(|formulas| formulas.moes),
             film: numbers.film,
             pressure: numbers.pressure,

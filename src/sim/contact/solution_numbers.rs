@@ -25,11 +25,18 @@ impl fmt::Display for ContactSolution {
             .map_or_else(|| "dry".to_owned(), |moes| format!("Moes M {:.1}, L {:.3}", moes.m, moes.l));
         writeln!(
             f,
-            "Hertz      {:.4} GPa, {:.4} N, {:.2} x {:.2} um; {moes}",
+            "Hertz      {:.4} GPa, {}; {moes}",
             hertz.pressure * 1e-9,
-            hertz.force,
-            hertz.half_width_x * 1e6,
-            hertz.half_width_y * 1e6
+            if self.is_line() {
+                format!("{:.4e} N/m, half-width {:.2} um", hertz.force, hertz.half_width_x * 1e6)
+            } else {
+                format!(
+                    "{:.4} N, {:.2} x {:.2} um",
+                    hertz.force,
+                    hertz.half_width_x * 1e6,
+                    hertz.half_width_y * 1e6
+                )
+            }
         )?;
         self.write_film(f)?;
         self.write_roughness(f)?;
@@ -47,6 +54,11 @@ impl fmt::Display for ContactSolution {
 }
 
 impl ContactSolution {
+    /// Whether loads, areas and flows are per metre of a line contact.
+    fn is_line(&self) -> bool {
+        !self.grid.has_side_edges()
+    }
+
     /// Film, pressure and solid contact.
     fn write_film(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { film, contact, .. } = self;
@@ -65,11 +77,15 @@ impl ContactSolution {
         )?;
         writeln!(
             f,
-            "contact    below {:.2} nm: {:.2} % of the Hertz area, {:.2} % of the load, {:.1} um^2 plastic",
+            "contact    below {:.2} nm: {:.2} % of the Hertz area, {:.2} % of the load, {} plastic",
             contact.film_cutoff * 1e9,
             contact.area_ratio * 100.0,
             contact.load_ratio * 100.0,
-            contact.plastic_area * 1e12
+            if self.is_line() {
+                format!("{:.2} % of the area", 100.0 * contact.plastic_area / self.hertz.area)
+            } else {
+                format!("{:.1} um^2", contact.plastic_area * 1e12)
+            }
         )
     }
 
@@ -92,7 +108,7 @@ impl ContactSolution {
                 if self.model.is_some() { "not solved with model asperity_inlets" } else { "none: dry" };
             return writeln!(f, "flow       {reason}");
         };
-        let unit = if self.grid.ny() == 1 { "m^2/s" } else { "m^3/s" };
+        let unit = if self.is_line() { "m^2/s" } else { "m^3/s" };
         let (inflow, outflow, imbalance) = (flow.inflow, flow.outflow, flow.imbalance);
         writeln!(f, "flow       in {inflow:.4e}, out {outflow:.4e} {unit}, imbalance {imbalance:.1e}")
     }

@@ -38,9 +38,9 @@ impl MixedLubricationSim {
         self.operating_schedule.at(self.time)
     }
 
-    /// Hertz contact of the smooth bodies under the load of the last step.
+    /// Hertz contact of the smooth bodies under the load of the last step; of a line contact per metre.
     pub fn hertz(&self) -> HertzContact {
-        self.contact.hertz
+        self.contact.hertz.per_metre(&self.contact.grid)
     }
 
     /// Simulated time \[s\].

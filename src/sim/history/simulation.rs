@@ -24,6 +24,7 @@ use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::ContactModel;
 use crate::sim::contact::numbers::{DepthNumbers, Numbers, PlasticNumbers, WearNumbers};
 use crate::sim::contact::outer_rows::{self, Change};
+use crate::sim::contact::strip;
 use crate::sim::contact::warnings::{self, Warning};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
@@ -193,6 +194,7 @@ impl MixedLubricationSim {
     /// As of [`MixedLubricationSim::step`], and laws that exceed the bound in any time.
     pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         control.validate()?;
+        strip::require_single_contact(&self.scene)?;
         match self.step_in_box(control) {
             Err(SimError::BoxTooSmall(edge)) if self.scene.grid.grows() => {
                 self.step_in_wider_box(control, edge)
@@ -397,6 +399,7 @@ impl MixedLubricationSim {
 
     /// Returns the input errors of the next solve without solving.
     pub(in crate::sim) fn check_first_contact(&mut self) -> Result<(), SimError> {
+        strip::require_single_contact(&self.scene)?;
         let offsets = self.offsets()?;
         let Self { bodies, contact, laws, state, contact_start, placement, yielding, .. } = self;
         placement.place(bodies, &contact.form_gap, offsets)?;

@@ -6,10 +6,13 @@
 #[cfg(feature = "serde")]
 use serde::ser::SerializeMap as _;
 
-use super::Scene;
+use super::{Roughness, Scene};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::sim::scene::hertz::LINE_LENGTH;
+
+/// Default period of a strip, in correlation lengths of its roughness.
+const PERIOD: f64 = 5.0;
 
 /// The grid, or the accuracy that it is chosen for.
 ///
@@ -58,6 +61,18 @@ pub enum GridSpec {
         /// Outer edges along x \[m\]; flow is in the direction +x.
         x: [f64; 2],
     },
+    /// The cells of a strip: a line contact whose surfaces repeat across the flow (`across = "periodic"` in a file).
+    Strip {
+        /// Cells along x.
+        nx: usize,
+        /// Cells along y.
+        ny: usize,
+        /// Outer edges along x \[m\]; flow is in the direction +x.
+        x: [f64; 2],
+        /// Outer edges along y \[m\], a period apart; `None` for a period of five correlation lengths along y of the
+        /// random roughness.
+        y: Option<[f64; 2]>,
+    },
     /// Box and cells are chosen for a target error, which is estimated from coarser grids. For a smooth contact it
     /// is the relative error of the central film (dry: of the maximum pressure), for a rough one that of
     /// [`SolverSpec::accuracy`](super::SolverSpec::accuracy). Single contacts only. Heights must be normal with a
@@ -75,6 +90,7 @@ impl GridSpec {
             Self::Cells { nx, ny, x, y } => Self::Cells { nx: count(nx), ny: count(ny), x, y },
             Self::Growing { nx, ny, x, y } => Self::Growing { nx: count(nx), ny: count(ny), x, y },
             Self::Row { nx, x } => Self::Row { nx: count(nx), x },
+            Self::Strip { nx, ny, x, y } => Self::Strip { nx: count(nx), ny: count(ny), x, y },
             Self::Accuracy { .. } => self,
         }
     }
@@ -104,6 +120,15 @@ impl serde::Serialize for GridSpec {
                 keys.serialize_entry("nx", nx)?;
                 keys.serialize_entry("x", x)?;
             }
+            Self::Strip { nx, ny, x, y } => {
+                keys.serialize_entry("across", "periodic")?;
+                keys.serialize_entry("nx", nx)?;
+                keys.serialize_entry("ny", ny)?;
+                keys.serialize_entry("x", x)?;
+                if let Some(y) = y {
+                    keys.serialize_entry("y", y)?;
+                }
+            }
             Self::Accuracy { accuracy } => keys.serialize_entry("accuracy", accuracy)?,
         }
         keys.end()
@@ -111,10 +136,11 @@ impl serde::Serialize for GridSpec {
 }
 
 impl Scene {
-    /// The grid; for a line contact one row of cells one metre wide.
+    /// The grid; for a line contact one row of cells one metre wide, or a strip.
     ///
     /// # Errors
-    /// Cells or edges out of range; a row for a point contact; an accuracy in place of a grid.
+    /// Cells or edges out of range; a row or a strip for a point contact; a strip without a period; an accuracy in place
+    /// of a grid.
     pub fn grid(&self) -> Result<Grid, InputError> {
         let row = |nx, x| Grid::from_edges(nx, 1, x, [-0.5 * LINE_LENGTH, 0.5 * LINE_LENGTH]);
         let conflict = |field: &str, reason: &str| {
@@ -127,9 +153,36 @@ impl Scene {
             }
             GridSpec::Row { nx, x } if self.form.is_line() => row(nx, x),
             GridSpec::Row { .. } => conflict("grid", "ny and y are missing; only a cylinder can omit them"),
+            GridSpec::Strip { nx, ny, x, y } if self.form.is_line() => {
+                Grid::strip(nx, ny, x, y.map_or_else(|| self.default_period(), Ok)?)
+            }
+            GridSpec::Strip { .. } => conflict(
+                "grid.across",
+                "only a line contact repeats across the flow; use form.kind = \"cylinder\"",
+            ),
             GridSpec::Accuracy { .. } => {
                 conflict("grid.accuracy", "only a single contact picks its grid, this needs nx, ny, x and y")
             }
         }
+    }
+
+    /// Whether the contact is a strip.
+    pub(in crate::sim) fn is_strip(&self) -> bool {
+        matches!(self.grid, GridSpec::Strip { .. })
+    }
+
+    /// Edges along y of a strip without given ones \[m\].
+    fn default_period(&self) -> Result<[f64; 2], InputError> {
+        let bodies = [&self.roughness.ball, &self.roughness.disc];
+        let longest = bodies.into_iter().filter_map(Roughness::length_across).fold(0.0, f64::max);
+        if longest > 0.0 {
+            let half = 0.5 * PERIOD * longest;
+            return Ok([-half, half]);
+        }
+        Err(InputError::Conflict {
+            field: "grid.y".to_owned(),
+            reason: "is missing; its default, five correlation lengths along y, needs random roughness"
+                .to_owned(),
+        })
     }
 }

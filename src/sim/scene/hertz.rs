@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::analytic::{HertzLine, HertzPoint};
+use crate::grid::Grid;
 use crate::metrics::Ellipse;
 
 /// Length of a line contact for loads, areas and fields \[m\].
@@ -51,6 +52,18 @@ impl HertzContact {
     /// Squared distance of a point from the center in Hertz units: 1 on the boundary of the contact.
     pub fn radius_squared(&self, x: f64, y: f64) -> f64 {
         self.ellipse().radius_squared(x, y)
+    }
+
+    /// Area and load of one period of a strip; those of other grids do not change.
+    pub(in crate::sim) fn on(self, grid: &Grid) -> Self {
+        let length = grid.contact_length();
+        Self { area: self.area * length, force: self.force * length, ..self }
+    }
+
+    /// Area and load per metre of the contact of one period of a strip; those of other grids do not change.
+    pub(in crate::sim) fn per_metre(self, grid: &Grid) -> Self {
+        let length = grid.contact_length();
+        Self { area: self.area / length, force: self.force / length, ..self }
     }
 
     /// The boundary of the contact.

@@ -66,8 +66,11 @@ impl<'a> Search<'a> {
     fn grid(&mut self) {
         let row = self.text("form", "kind") == Some("cylinder");
         let row = row && !self.has("grid", "ny") && !self.has("grid", "y");
+        let strip = self.text("grid", "across") == Some("periodic");
         let keys: &[&str] = if self.has("grid", "accuracy") {
             &[]
+        } else if strip {
+            &["nx", "ny", "x"]
         } else if row {
             &["nx", "x"]
         } else {

@@ -95,6 +95,15 @@ impl Roughness {
         }
     }
 
+    /// Correlation length across the flow of random roughness, or its roll-off wavelength \[m\].
+    pub(in crate::sim) fn length_across(&self) -> Option<f64> {
+        let Self::Random(surface) = self else { return None };
+        Some(match surface.shape {
+            RandomShape::Correlated { length_y, .. } => length_y,
+            RandomShape::SelfAffine(spectrum) => spectrum.roll_off,
+        })
+    }
+
     /// The shortest wavelengths of the body.
     pub(in crate::sim) fn shortest_waves(&self) -> ShortestWaves {
         use ShortestWaves::{Endless, Of, Unknown};

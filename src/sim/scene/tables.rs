@@ -88,6 +88,8 @@ pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D
 struct GridTable {
     /// Cells along x.
     nx: Option<usize>,
+    /// Whether the surfaces repeat across the flow.
+    across: Option<Across>,
     /// Cells along y; omitted with `y` for a line contact.
     ny: Option<usize>,
     /// Outer edges along x \[m\].
@@ -103,17 +105,25 @@ struct GridTable {
     grows: bool,
 }
 
+/// Values of `across` in `[grid]`.
+#[derive(Deserialize, Clone, Copy)]
+#[serde(rename_all = "snake_case")]
+enum Across {
+    Periodic,
+}
+
 /// Reads `[grid]`.
 pub(super) fn grid<'de, D: Deserializer<'de>>(deserializer: D) -> Result<GridSpec, D::Error> {
     GridTable::deserialize(deserializer)?.into_spec().map_err(D::Error::custom)
 }
 
 impl GridTable {
-    /// Cells, a row of cells, or an accuracy; a mixture is an error.
+    /// Cells, a row or a strip of cells, or an accuracy; a mixture is an error.
     fn into_spec(self) -> Result<GridSpec, String> {
-        let Self { nx, ny, x, y, accuracy, grows } = self;
+        let Self { across, nx, ny, x, y, accuracy, grows } = self;
         if let Some(accuracy) = accuracy {
             let given = [
+                ("across", across.is_some()),
                 ("nx", nx.is_some()),
                 ("ny", ny.is_some()),
                 ("x", x.is_some()),
@@ -126,6 +136,12 @@ impl GridTable {
             };
         }
         let (nx, x) = (required("nx", nx)?, required("x", x)?);
+        if let Some(Across::Periodic) = across {
+            return match grows {
+                true => Err("a strip does not grow; remove `grows` or `across`".to_owned()),
+                false => Ok(GridSpec::Strip { nx, ny: required("ny", ny)?, x, y }),
+            };
+        }
         if ny.is_none() && y.is_none() && !grows {
             return Ok(GridSpec::Row { nx, x });
         }

@@ -162,7 +162,7 @@ impl MixedLubricationSim {
         roughness: &RoughnessNumbers,
         correlation_length: Option<f64>,
     ) -> Result<(f64, ExpectedFilm), SimError> {
-        let (scene, hertz, conditions) = (&self.scene, &self.contact.hertz, self.conditions());
+        let (scene, hertz, conditions) = (&self.scene, &self.hertz(), self.conditions());
         let motion = conditions.motion;
         let (speed, sliding, law) = (motion.entrainment_speed, motion.sliding_speed(), lubricant.viscosity());
         let no_film =
@@ -242,7 +242,8 @@ impl MixedLubricationSim {
             composite_rq: roughness.composite_rq,
         };
         let [above, below] = INLET_SCATTER;
-        let above = if self.scene.form.is_line() { RIDGE_SCATTER } else { above };
+        let is_ridged = self.scene.form.is_line() && !self.scene.is_strip();
+        let above = if is_ridged { RIDGE_SCATTER } else { above };
         let at = |factor: f64| MixedLoadShare { correlation_length: factor * length, ..inlets }.load_ratio();
         let (share, least, most) = (at(1.0)?, at(above)?, at(below)?);
         let [_, most_smooth] = smooth_range;

@@ -17,7 +17,7 @@ use crate::sim::contact::numbers::is_known;
 use crate::sim::contact::numbers::{Numbers, StressNumbers};
 use crate::sim::contact::solution::ContactSolution;
 use crate::sim::contact::warnings::Warning;
-use crate::sim::contact::{asperity_inlets, outer_rows, setup, warnings};
+use crate::sim::contact::{asperity_inlets, outer_rows, setup, strip, warnings};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
 use crate::sim::history::builder::{ReplacedParts, SimBuilder};
@@ -112,6 +112,7 @@ impl SimBuilder {
 
     /// Prepares the contact and returns all input errors.
     fn begin(mut self) -> Result<ReadySolve, SimError> {
+        strip::validate(&self.scene)?;
         if needs_meshes(&self.scene) {
             if let Some(part) = self.custom_part() {
                 return Err(SimError::Input(InputError::Conflict {

@@ -47,7 +47,13 @@ fn inlet(scene: &Scene, sim: &MixedLubricationSim) -> Result<Part, InputError> {
 pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part>, InputError> {
     let part = |what, modelled, why: &str| Part { what, modelled, why: why.to_owned() };
     let mut parts = vec![
-        if scene.form.is_line() {
+        if matches!(scene.grid, GridSpec::Strip { .. }) {
+            part(
+                "strip",
+                true,
+                "grid.across is periodic: a line contact whose surfaces repeat across the flow",
+            )
+        } else if scene.form.is_line() {
             part("line contact", true, "form.kind is a cylinder: one row of cells, loads per metre of length")
         } else {
             part("point contact", true, "form.kind is no cylinder")

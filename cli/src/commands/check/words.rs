@@ -1,5 +1,6 @@
 //! The report of `check` for people.
 
+use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{Expectation, ExpectedFilm};
 
 use super::Expected;
@@ -18,7 +19,7 @@ impl Expected {
         let hertz = &self.hertz;
         let mut lines = self.film_lines();
         let half_width = 1e6 * hertz.half_width_x;
-        let size = if self.sim.grid().ny() == 1 {
+        let size = if self.sim.scene().form.is_line() {
             format!("{:.4e} N/m, half-width {half_width:.1} um", hertz.force)
         } else {
             format!("{:.4} N, half-widths {half_width:.1} x {:.1} um", hertz.force, 1e6 * hertz.half_width_y)
@@ -117,7 +118,8 @@ impl Expected {
             self.cells(),
             1e-6 * self.memory
         )];
-        if !self.has_estimate {
+        let is_strip = matches!(self.sim.scene().grid, GridSpec::Strip { .. });
+        if !self.has_estimate && !is_strip {
             lines.push(
                 "           `estimate = true` in [solver] estimates its error; `accuracy = 0.01` in place of the cells picks a mesh"
                     .to_owned(),

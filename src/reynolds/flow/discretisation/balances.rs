@@ -89,7 +89,7 @@ impl Discretisation {
             count(-through(first));
             count(through(first + nx - 2));
         }
-        if self.grid.ny() > 1 {
+        if self.grid.has_side_edges() {
             let north = |k: usize| self.north_flow[k] + self.spin.as_ref().map_or(0.0, |spin| spin.north(k));
             for i in 1..nx - 1 {
                 count(-north(i));

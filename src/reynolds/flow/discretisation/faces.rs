@@ -25,8 +25,13 @@ impl Discretisation {
         for (i, c) in self.east_coefficients.iter_mut().enumerate() {
             *c = share(i, nx) * along;
         }
+        let has_sides = self.grid.has_side_edges();
         for (j, c) in self.north_coefficients.iter_mut().enumerate() {
-            *c = share(j, ny) * across;
+            *c = match has_sides {
+                true => share(j, ny) * across,
+                false if j + 1 < ny => across,
+                false => 0.0,
+            };
         }
     }
 
@@ -120,18 +125,22 @@ impl Discretisation {
         flow.thinned(self.ratios[a].of(direction), self.ratios[b].of(direction))
     }
 
-    /// Neighbors of node `k` (east, west, north, south) with coefficients and mobilities of the faces. In a line
-    /// contact the node is its own neighbor along y.
+    /// Neighbors of node `k` (east, west, north, south) with coefficients and mobilities of the faces. Beyond the
+    /// first and the last row of a line contact the node is its own neighbor, with a coefficient of zero.
     #[inline]
     pub(super) fn neighbours(&self, k: usize) -> [(usize, f64, f64); 4] {
-        let nx = if self.grid.ny() == 1 { 0 } else { self.grid.nx() };
+        let nx = self.grid.nx();
         let ([east, north], [west, _]) = (self.coefficients(k), self.coefficients(k - 1));
-        let [_, south] = self.coefficients(k - nx);
+        let north_of = if k + nx < self.grid.len() { k + nx } else { k };
+        let south = match k.checked_sub(nx) {
+            Some(o) => (o, self.coefficients(o)[1], self.north[o]),
+            None => (k, 0.0, 0.0),
+        };
         [
             (k + 1, east, self.east[k]),
             (k - 1, west, self.east[k - 1]),
-            (k + nx, north, self.north[k]),
-            (k - nx, south, self.north[k - nx]),
+            (north_of, north, self.north[k]),
+            south,
         ]
     }
 }

@@ -421,10 +421,11 @@ impl Discretisation {
     #[inline]
     fn pressure_outflow(&self, k: usize) -> f64 {
         let along = self.east_flow[k] - self.east_flow[k - 1];
-        if self.grid.ny() == 1 {
-            return along;
+        // There is no face north of the last row.
+        match k.checked_sub(self.grid.nx()) {
+            Some(south) => along + (self.north_flow[k] - self.north_flow[south]),
+            None => along + self.north_flow[k],
         }
-        along + (self.north_flow[k] - self.north_flow[k - self.grid.nx()])
     }
 
     /// Mass per area of node `k`, `theta rho/rho_0 h` \[m\].

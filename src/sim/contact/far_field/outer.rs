@@ -77,7 +77,7 @@ impl<'a> OuterContact<'a> {
             half_space(scene, grid, reference)?,
             inner.deformation.bodies().interrupt().cloned(),
         );
-        let mut hertz = inner.hertz;
+        let mut hertz = inner.hertz.per_metre(&inner.grid);
         let lengths = film_lengths(curvatures, film);
         let cells = [grid.dx(), grid.dy()];
         let [a, b] = hertz.half_extents();
@@ -314,13 +314,15 @@ impl<'a> OuterContact<'a> {
         let take = |field: &[f64], positive| -> Vec<f64> {
             inner.nodes().map(|(x, y)| interpolate(&grid, field, [x, y], positive)).collect()
         };
+        // A line carries its load per metre, a strip that of its width.
+        let length = inner.contact_length();
         let load = self.model.hertz.force;
         let load_outside = load - inside;
         let place = [FILM_AT * inner.x(0), 0.0];
         let closure = if load_outside > FILM_FROM * load {
             Closure::Film(place, interpolate(&grid, &state.film, place, false))
         } else {
-            Closure::LoadOutside(load_outside)
+            Closure::LoadOutside(load_outside * length)
         };
         let stress = |(k, share): (usize, &f64)| share * friction.stress(k);
         Ok(FarField {
@@ -328,7 +330,7 @@ impl<'a> OuterContact<'a> {
             displacement: take(&displaced, false),
             closure,
             approach: state.approach,
-            friction_force: shares.iter().enumerate().map(stress).sum::<f64>() * area,
+            friction_force: shares.iter().enumerate().map(stress).sum::<f64>() * area * length,
             gap: vec![0.0; inner.len()],
         })
     }

@@ -117,12 +117,12 @@ impl PressureNumbers {
             max: metrics::peak(&model.grid, &state.pressure)?.min(bound),
             central: model.grid.interpolate(&state.pressure, 0.0, 0.0)?,
             mean: sum / carrying as f64,
-            load_outside: outside.unwrap_or(0.0),
+            load_outside: outside.unwrap_or(0.0) / model.grid.contact_length(),
         })
     }
 }
 
-/// Solid contact.
+/// Solid contact. Areas of a line contact are per metre of its length.
 ///
 /// Solids touch where the gap is the contact film, `solver.film_cutoff`. They carry the pressure that the fluid does not.
 ///
@@ -179,16 +179,17 @@ impl ContactNumbers {
         let statistics =
             metrics::statistics_in(&model.grid, &state.in_contact, solid, model.hertz.force, &ellipse)?;
         let ellipse = std::f64::consts::PI * model.hertz.half_width_x * model.hertz.half_width_y;
+        let length = model.grid.contact_length();
         let at_limit = limit.map_or(0, |limit| {
             state.pressure.iter().zip(limit).filter(|(p, limit)| reaches_limit(**p, **limit)).count()
         });
         Ok(Self {
             area_ratio: statistics.area_ratio * ellipse / model.hertz.area,
             load_ratio: statistics.load_ratio,
-            area: statistics.area,
+            area: statistics.area / length,
             corrected_area_ratio: statistics.corrected_area_ratio * ellipse / model.hertz.area,
-            corrected_area: statistics.corrected_area,
-            plastic_area: at_limit as f64 * model.grid.cell_area(),
+            corrected_area: statistics.corrected_area / length,
+            plastic_area: at_limit as f64 * model.grid.cell_area() / length,
             film_cutoff: if model.lubricant.is_some() { model.film_cutoff } else { 0.0 },
         })
     }

@@ -28,7 +28,7 @@ pub struct ThermalNumbers {
     pub surface_rise_ball: f64,
     /// Largest rise of the disc's surface above the bulk temperature \[K\].
     pub surface_rise_disc: f64,
-    /// Heat of shear, of pressure flow, of compression and of solid friction \[W\].
+    /// Heat of shear, of pressure flow, of compression and of solid friction \[W\]; of a line contact \[W/m\].
     pub heat: f64,
     /// Relative energy imbalance of the film.
     pub imbalance: f64,

@@ -94,14 +94,15 @@ fn sheared(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
 /// A rough profile under a line contact with solid contact.
 fn ridges(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
     let touches = point.load_ratio > LARGEST_RIDGE_LOAD;
-    (scene.form.is_line() && scene.is_lubricated() && !point.smooth && touches).then(|| {
+    let is_ridged = scene.form.is_line() && !scene.is_strip();
+    (is_ridged && scene.is_lubricated() && !point.smooth && touches).then(|| {
         Warning::new(
             "contact.load_ratio",
             point.load_ratio,
             "a profile under a line contact is ridges across the flow, which oil cannot flow around: load ratio and friction are not \
              those of a surface that is rough along both axes"
                 .to_owned(),
-            "a point contact of the same Hertz pressure with a surface along both axes".to_owned(),
+            "a strip, with cells across the flow: grid.across = \"periodic\" and grid.ny".to_owned(),
         )
     })
 }

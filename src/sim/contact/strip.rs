@@ -1,0 +1,51 @@
+//! Errors for scenes of strips with physics or solvers that need side edges or other grids.
+
+use crate::error::InputError;
+use crate::reynolds::ContactDefinition;
+use crate::sim::scene::{Scene, SolverKind};
+
+/// Checks that the scene has nothing that is not defined on a strip.
+pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
+    if !scene.is_strip() {
+        return Ok(());
+    }
+    let found = [
+        (
+            scene.solver.kind == SolverKind::Multigrid,
+            "solver.kind = \"multigrid\" needs side edges; leave it out",
+        ),
+        (
+            scene.solver.contact == ContactDefinition::UnifiedReynolds,
+            "solver.contact = \"paper\" needs side edges; leave it out",
+        ),
+        (
+            scene.solver.estimate || scene.solver.accuracy.is_some(),
+            "errors of the mesh (solver.estimate, solver.accuracy) are not estimated; compare two meshes",
+        ),
+        (
+            scene.elastic.layer.is_some(),
+            "stresses of a layer (elastic.layer) do not repeat across the flow; leave it out",
+        ),
+        (
+            scene.stress.is_some(),
+            "stresses below the surface ([stress]) do not repeat across the flow; leave them out",
+        ),
+    ];
+    match found.into_iter().find(|(applies, _)| *applies) {
+        Some((_, reason)) => Err(conflict(reason)),
+        None => Ok(()),
+    }
+}
+
+/// Rejects a history of a strip.
+pub(in crate::sim) fn require_single_contact(scene: &Scene) -> Result<(), InputError> {
+    if scene.is_strip() {
+        Err(conflict("histories need a row or side edges; solve single contacts"))
+    } else {
+        Ok(())
+    }
+}
+
+fn conflict(reason: &str) -> InputError {
+    InputError::Conflict { field: "grid.across = \"periodic\"".to_owned(), reason: reason.to_owned() }
+}
