@@ -8,6 +8,7 @@ mod barus;
 mod density;
 mod doolittle_tait;
 mod improved_yasutomi;
+mod oil;
 mod rheology;
 mod roelands;
 mod table;
@@ -22,6 +23,10 @@ pub use barus::Barus;
 pub use density::{DowsonHigginson, Incompressible};
 pub use doolittle_tait::{DoolittleTait, DoolittleTaitConstants};
 pub use improved_yasutomi::{ImprovedYasutomi, ImprovedYasutomiConstants};
+pub(crate) use oil::INDEX_TEMPERATURES;
+pub use oil::{
+    BaseOil, Oil, PressureViscosity, Walther, petroleum_density, so_klaus, viscosity_index,
+};
 pub use rheology::Rheology;
 pub use roelands::Roelands;
 pub use table::FluidPoint;

@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 use crate::error::InputError;
 use crate::units::Dimension;
 use Dimension::{
-    Angle, Conductivity, Diffusivity, Energy, Force, ForcePerLength, HeatCapacity, InversePressure, Length,
+    Angle, Conductivity, Density, Diffusivity, Energy, Force, ForcePerLength, HeatCapacity, InversePressure, Length,
     Pressure, PressurePerLength, Rate, Ratio, Speed, Temperature, Time, Viscosity, Volume, VolumePerEnergy,
 };
 
@@ -39,6 +39,7 @@ const KEYS: &[(&str, Dimension)] = &[
     ("lubricant.roelands_p0", Pressure),
     ("lubricant.temperature", Temperature),
     ("lubricant.alpha", InversePressure),
+    ("lubricant.density", Density),
     ("lubricant.formula_alpha", InversePressure),
     ("lubricant.density_a", InversePressure),
     ("lubricant.density_b", InversePressure),

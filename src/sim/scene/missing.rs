@@ -52,7 +52,11 @@ impl<'a> Search<'a> {
             self.look("motion", &["entrainment_speed"]);
         }
         let law = self.text("lubricant.viscosity", "law");
+        let by_data_sheet = ["grade", "kinematic", "viscosity_index", "density", "base_oil"]
+            .into_iter()
+            .any(|key| self.has("lubricant", key));
         match (self.table("lubricant.viscosity"), law) {
+            (None, _) if by_data_sheet => {}
             (None, _) => self.look("lubricant", &["eta0", "roelands_z"]),
             (_, Some("barus")) => self.look("lubricant.viscosity", &["eta0", "alpha"]),
             (_, Some("doolittle_tait")) => self.look("lubricant.viscosity", &DOOLITTLE_TAIT),

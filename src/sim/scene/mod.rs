@@ -19,6 +19,7 @@ mod materials;
 #[cfg(feature = "serde")]
 mod missing;
 mod motion;
+mod oil;
 pub(in crate::sim) mod operating_schedule;
 mod processes;
 mod roughness;
@@ -41,6 +42,7 @@ pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};
 pub(in crate::sim) use materials::BODIES;
 pub use materials::{Material, Materials, NamedMaterial};
 pub use motion::Motion;
+pub use oil::{KinematicPoint, OilSpec};
 pub use processes::{Flash, FlowThinning, FrictionSpec, PlasticSpec, ThermalSpec};
 pub(in crate::sim) use roughness::ShortestWaves;
 pub use roughness::{FileRoughness, Roughness, RoughnessPair};
@@ -157,6 +159,7 @@ impl Scene {
                 temperature: None,
                 roelands_s0: None,
                 viscosity: None,
+                oil: None,
                 formula_alpha: Some(1.494e-8),
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,

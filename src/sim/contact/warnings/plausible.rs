@@ -184,7 +184,7 @@ fn oil(oil: &LubricantSpec) -> Vec<Entry> {
 
 /// A viscosity law other than Roelands', by its values at ambient pressure.
 fn viscosity_law(scene: &Scene) -> Vec<Entry> {
-    let of_its_own = scene.lubricant.is_some_and(|oil| oil.viscosity.is_some());
+    let of_its_own = scene.lubricant.is_some_and(|oil| oil.viscosity.is_some() || oil.oil.is_some());
     let conditions = scene.conditions(0.0).ok().filter(|_| of_its_own);
     let law =
         conditions.and_then(|conditions| oil::viscosity(scene, conditions.bulk_temperature).ok().flatten());
