@@ -46,3 +46,57 @@ fn load_on_solids_is_within_the_range_of_check() {
         assert!(found > 0.7 || !words.contains("boundary"), "{about}: {found}, {words}");
     }
 }
+
+/// `check` states viscosity and pressure-viscosity coefficient with their sources, `solve` the scatter of the film.
+#[test]
+fn oil_of_a_data_sheet_is_reported_with_its_sources() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let shipped = std::fs::read_to_string(repository("examples/scenes/ground_disc.toml")).unwrap();
+    let oil = "eta0 = \"20 mPa s\"\nroelands_z = 0.68\n";
+    assert!(shipped.contains(oil));
+    let sheet = "grade = \"ISO VG 46\"\nviscosity_index = 95\n[thermal]\nbulk_temperature = \"40 degC\"\n";
+    std::fs::write(&path, shipped.replace(oil, sheet)).unwrap();
+    let report = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
+    for part in [
+        "39.29",
+        "mPa s at 40.00 degC: ISO VG 46, VI 95",
+        "870 kg/m^3",
+        "assumed",
+        "So and Klaus 1980",
+        "+- 15 %",
+        "of the film",
+    ] {
+        assert!(report.contains(part), "{part}: {report}");
+    }
+    let check = json_of(&stribeck(&["check", text(&path), "--json"]));
+    let solve = stribeck(&["solve", text(&path)]);
+    let film = check["oil"]["film_uncertainty"].as_f64().unwrap();
+    assert!((0.06..0.09).contains(&film), "{film}");
+    let solved = String::from_utf8(solve.stdout).unwrap();
+    assert!(solved.contains(&format!("+- {:.0} % of the film", 100.0 * film)), "{solved}");
+    std::fs::write(&path, &shipped).unwrap();
+    let given = json_of(&stribeck(&["check", text(&path), "--json"]));
+    assert_eq!(given["oil"]["eta0_source"], "lubricant.eta0");
+    assert_eq!(given["oil"]["film_uncertainty"], 0.0);
+}
+
+#[test]
+fn command_alone_prints_a_short_help() {
+    let output = stribeck::<&str>(&[]);
+    let help = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && output.stderr.is_empty());
+    assert!(help.contains("stribeck solve scene.toml") && help.lines().count() < 15, "{help}");
+}
+
+#[test]
+fn completion_scripts_list_the_subcommands() {
+    for shell in ["bash", "zsh", "fish"] {
+        let output = stribeck(&["completion", shell]);
+        let script = String::from_utf8(output.stdout).unwrap();
+        assert!(
+            output.status.success() && script.contains("curve") && script.contains("slide_roll_ratio"),
+            "{shell}"
+        );
+    }
+}

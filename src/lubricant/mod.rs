@@ -24,9 +24,7 @@ pub use density::{DowsonHigginson, Incompressible};
 pub use doolittle_tait::{DoolittleTait, DoolittleTaitConstants};
 pub use improved_yasutomi::{ImprovedYasutomi, ImprovedYasutomiConstants};
 pub(crate) use oil::INDEX_TEMPERATURES;
-pub use oil::{
-    BaseOil, Oil, PressureViscosity, Walther, petroleum_density, so_klaus, viscosity_index,
-};
+pub use oil::{BaseOil, Oil, PressureViscosity, Walther, petroleum_density, so_klaus, viscosity_index};
 pub use rheology::Rheology;
 pub use roelands::Roelands;
 pub use table::FluidPoint;

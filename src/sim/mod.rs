@@ -38,6 +38,7 @@ pub use contact::numbers::{
     ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, Moes, PlasticNumbers, PressureNumbers,
     RoughnessNumbers, StressNumbers, ThermalNumbers, WearNumbers,
 };
+pub use contact::oil_numbers::OilNumbers;
 pub use contact::solution::ContactSolution;
 pub use contact::warnings::{Warning, given_film_warnings};
 #[cfg(feature = "serde")]

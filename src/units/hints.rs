@@ -79,8 +79,8 @@ fn kinematic_viscosity(number: &str, unit: &str) -> Option<String> {
     let dynamic = 1e3 * OIL_DENSITY * factor * number.parse::<f64>().ok()?;
     let dynamic: f64 = format!("{dynamic:.4e}").parse().ok()?;
     Some(format!(
-        "`{unit}` is a unit of kinematic viscosity, the dynamic viscosity is asked for; multiply by the density: with {OIL_DENSITY} \
-         kg/m^3 it is \"{} mPa s\"; or give lubricant.kinematic and lubricant.density in place of it",
+        "`{unit}` is a unit of kinematic viscosity, the dynamic viscosity is asked for (scenes take kinematic ones as \
+         lubricant.kinematic); multiply by the density: with {OIL_DENSITY} kg/m^3 it is \"{} mPa s\"",
         format_number(dynamic)
     ))
 }

@@ -1,6 +1,7 @@
 //! The subcommands, one a file.
 
 pub(crate) mod check;
+pub(crate) mod completion;
 mod contact_pictures;
 pub(crate) mod curve;
 pub(crate) mod init;

@@ -38,6 +38,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if refines {
         interrupt::listen("the solve ends here")?;
     }
+    let oil = scene.oil_numbers().ok().flatten();
     let hidden = ProgressBar::hidden();
     let builder = MixedLubricationSim::builder(scene).interrupt(move || {
         held.print(&hidden);
@@ -72,11 +73,20 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     }
     let mut numbers = serde_json::to_value(&solution)?;
     numbers["seconds"] = seconds.into();
+    numbers["oil"] = serde_json::to_value(&oil)?;
     output::warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
     if options.output.json {
         output::print(&numbers)?;
     } else {
-        output::print(&format!("{solution}\ntime       {seconds:.2} s"))?;
+        let scatter = oil.as_ref().filter(|oil| oil.film_uncertainty > 0.0).map_or_else(String::new, |oil| {
+            format!(
+                "\nby alpha   +- {:.0} % of the film: {}, +- {:.0} %",
+                100.0 * oil.film_uncertainty,
+                oil.alpha_source,
+                100.0 * oil.alpha_uncertainty
+            )
+        });
+        output::print(&format!("{solution}{scatter}\ntime       {seconds:.2} s"))?;
     }
     output::report_files(&written, options.output.json)?;
     Ok(solution.report.status.into())

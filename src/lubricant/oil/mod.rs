@@ -8,8 +8,8 @@ use std::fmt;
 
 pub use pressure_viscosity::{BaseOil, petroleum_density, so_klaus};
 pub use viscosity_index::viscosity_index;
-pub use walther::Walther;
 pub(crate) use walther::INDEX_TEMPERATURES;
+pub use walther::Walther;
 
 use super::{Roelands, ViscosityLaw};
 use crate::error::InputError;
@@ -17,7 +17,7 @@ use crate::error::InputError;
 /// Reference pressure of Roelands' law \[Pa\].
 const PRESSURE: f64 = 1.96e8;
 /// Kinematic viscosities between which correlations are used \[m^2/s\]; beyond, Roelands' index is constant.
-const CORRELATED: [f64; 2] = [3e-6, 500e-6];
+const CORRELATED: [f64; 2] = [5e-6, 500e-6];
 /// Least dynamic viscosity \[Pa s\], above the limit of Roelands' law.
 const LEAST_VISCOSITY: f64 = 1e-4;
 
@@ -46,7 +46,8 @@ pub enum PressureViscosity {
 /// [`Walther`] and [`petroleum_density`], and the index `z = alpha p_0/(ln eta_0 + 9.67)` of its pressure-viscosity
 /// coefficient.
 ///
-/// Correlations are evaluated from 3 to 500 cSt; beyond, the index `z` is constant. Valid up to about 1 GPa.
+/// Correlations are evaluated from 5 to 500 cSt; beyond, the index `z` is constant, so that the viscosity falls with
+/// temperature at all pressures. Valid up to about 1 GPa.
 ///
 /// Source of the pressure dependence: [`Roelands`].
 ///

@@ -20,7 +20,7 @@ pub fn petroleum_density(at_15: f64, temperature: f64) -> f64 {
 /// `1e8 alpha = 1.216 + 4.143 l^3.0627 + 2.848e-4 B^5.1903 l^1.5976 - 3.999 l^3.0975 rho^0.1162`, `l = log10 nu` in
 /// cSt, `rho` in g/cm^3.
 ///
-/// For mineral oils of 3 to 500 cSt. Beside 38 measured values of 13 mineral oils (Stachowiak and Batchelor,
+/// For mineral oils of 2 to 500 cSt. Beside 38 measured values of 13 mineral oils (Stachowiak and Batchelor,
 /// Engineering Tribology, table 2.3) it is 10 % high in the mean, with a root mean square deviation of 15 %.
 ///
 /// Source: So and Klaus (1980), Viscosity-pressure correlation of liquids, ASLE Transactions 23, 409-421.

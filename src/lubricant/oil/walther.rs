@@ -57,8 +57,7 @@ impl Walther {
     pub fn new(points: [[f64; 2]; 2]) -> Result<Self, InputError> {
         points.iter().try_for_each(|point| validate(*point))?;
         let [[first, cold], [second, warm]] = points;
-        let conflict =
-            |reason: String| Err(InputError::Conflict { field: "kinematic".to_owned(), reason });
+        let conflict = |reason: String| Err(InputError::Conflict { field: "kinematic".to_owned(), reason });
         if (warm - cold).abs() < APART {
             return conflict(format!(
                 "both viscosities are at {:.2} degC; two temperatures are needed, 40 and 100 degC are usual",
@@ -87,9 +86,8 @@ impl Walther {
         validate(point)?;
         InputError::require(index.is_finite(), "viscosity_index", index, "finite")?;
         // The index falls as the slope grows; slopes too steep for an index count as those of a low one.
-        let is_flat = |slope: f64| {
-            Self::through(point, slope).viscosity_index().is_ok_and(|found| found > index)
-        };
+        let is_flat =
+            |slope: f64| Self::through(point, slope).viscosity_index().is_ok_and(|found| found > index);
         let [mut flat, mut steep] = SLOPES;
         for _ in 0..HALVINGS {
             let middle = 0.5 * (flat + steep);

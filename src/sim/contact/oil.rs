@@ -55,9 +55,7 @@ pub(in crate::sim) fn viscosity_law(
 fn data_sheet_law(spec: &LubricantSpec, oil: &OilSpec, temperature: f64) -> Result<Oil, InputError> {
     let pressure = match (spec.alpha, spec.temperature) {
         (None, None) => PressureViscosity::Correlation(oil.base_oil),
-        (Some(alpha), at) => {
-            PressureViscosity::Measured { alpha, temperature: at.unwrap_or(temperature) }
-        }
+        (Some(alpha), at) => PressureViscosity::Measured { alpha, temperature: at.unwrap_or(temperature) },
         (None, Some(at)) => {
             return Err(InputError::Conflict {
                 field: format!("lubricant.temperature = {at}"),

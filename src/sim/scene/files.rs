@@ -72,13 +72,14 @@ impl Scene {
 }
 
 /// Terms of the parser and their replacements for readers of scene files.
-const WORDS: [(&str, &str); 23] = [
+const WORDS: [(&str, &str); 24] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number from 0"),
     ("expected u64", "expected a whole number from 0"),
     ("expected a boolean", "expected true or false"),
     ("expected a sequence", "expected a list"),
     ("expected path string", "expected text"),
+    ("expected a string", "expected text"),
     ("wanted string or table", "expected text"),
     ("invalid type: sequence", "a list"),
     ("invalid type: boolean ", ""),

@@ -11,8 +11,9 @@ use toml::de::{DeTable, DeValue};
 use crate::error::InputError;
 use crate::units::Dimension;
 use Dimension::{
-    Angle, Conductivity, Density, Diffusivity, Energy, Force, ForcePerLength, HeatCapacity, InversePressure, Length,
-    Pressure, PressurePerLength, Rate, Ratio, Speed, Temperature, Time, Viscosity, Volume, VolumePerEnergy,
+    Angle, Conductivity, Density, Diffusivity, Energy, Force, ForcePerLength, HeatCapacity, InversePressure,
+    Length, Pressure, PressurePerLength, Rate, Ratio, Speed, Temperature, Time, Viscosity, Volume,
+    VolumePerEnergy,
 };
 
 /// All keys with a dimension; `*` matches the name of a body. Loads of a line contact are per length.
@@ -20,6 +21,9 @@ const KEYS: &[(&str, Dimension)] = &[
     ("form.radius", Length),
     ("form.radius_x", Length),
     ("form.radius_y", Length),
+    ("form.radii", Length),
+    ("form.radii_x", Length),
+    ("form.radii_y", Length),
     ("form.angle", Angle),
     ("elastic.equivalent_modulus", Pressure),
     ("elastic.layer.thickness", Length),
@@ -33,6 +37,8 @@ const KEYS: &[(&str, Dimension)] = &[
     ("load.hertz_pressure", Pressure),
     ("load.force", Force),
     ("motion.entrainment_speed", Speed),
+    ("motion.ball_speed", Speed),
+    ("motion.disc_speed", Speed),
     ("motion.spin_radius", Length),
     ("motion.slide_roll_ratio", Ratio),
     ("lubricant.eta0", Viscosity),

@@ -296,7 +296,10 @@ impl LubricantTable {
             refuse(&slope, "`viscosity` gives another law than that of Roelands")?;
         }
         if let Some(key) = oil {
-            refuse(&law, &format!("`{key}` describes the oil by its data sheet, from which viscosities follow"))?;
+            refuse(
+                &law,
+                &format!("`{key}` describes the oil by its data sheet, from which viscosities follow"),
+            )?;
         }
         if matches!(self.viscosity, Some(ViscositySpec::DoolittleTait(_))) {
             refuse(&of_density, "`viscosity` brings the density of Tait")?;

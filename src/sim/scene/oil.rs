@@ -128,7 +128,9 @@ impl OilSpec {
     /// Error for a grade outside of the standard.
     fn require_known_grade(&self) -> Result<(), InputError> {
         match self.grade {
-            Some(grade) if !GRADES.contains(&grade) => Err(unknown_grade(f64::from(grade), &grade.to_string())),
+            Some(grade) if !GRADES.contains(&grade) => {
+                Err(unknown_grade(f64::from(grade), &grade.to_string()))
+            }
             _ => Ok(()),
         }
     }
@@ -301,14 +303,17 @@ fn points(text: &str) -> Result<[Option<KinematicPoint>; 2], InputError> {
     let field = "lubricant.kinematic";
     let wrong = || InputError::Conflict {
         field: format!("{field} = \"{}\"", crate::error::escape(text)),
-        reason: format!("must be one or two viscosities with their temperatures and a decimal point: {EXAMPLE}"),
+        reason: format!(
+            "must be one or two viscosities with their temperatures and a decimal point: {EXAMPLE}"
+        ),
     };
     let mut found = [None; 2];
     let mut parts = text.split([',', ';']);
     for (place, part) in found.iter_mut().zip(&mut parts) {
         let (viscosity, temperature) = part.split_once(" at ").ok_or_else(wrong)?;
         let viscosity = Dimension::KinematicViscosity.parse(field, viscosity.trim())?;
-        *place = Some(KinematicPoint::new(viscosity, Dimension::Temperature.parse(field, temperature.trim())?));
+        *place =
+            Some(KinematicPoint::new(viscosity, Dimension::Temperature.parse(field, temperature.trim())?));
     }
     if parts.next().is_some() { Err(wrong()) } else { Ok(found) }
 }
