@@ -27,6 +27,7 @@ mod generation;
 mod given_film;
 mod growth_fit;
 mod history_errors;
+mod journal_bearing;
 mod laws;
 mod layered_stress;
 mod layered_waves;

@@ -100,3 +100,59 @@ fn completion_scripts_list_the_subcommands() {
         );
     }
 }
+
+/// A key has its row of the book, a warning its row of the table of warnings; all others the nearest keys.
+#[test]
+fn explain_prints_the_words_of_the_book() {
+    let explained = |words: &[&str]| {
+        let output = stribeck(&[&["explain"], words].concat());
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let key = explained(&["lubricant.grade"]);
+    assert!(
+        key.contains("ISO viscosity grade")
+            && key.contains("ISO 3448")
+            && key.contains("docs/scene_fluid.md"),
+        "{key}"
+    );
+    assert_eq!(explained(&["modulus"]).matches("Young's modulus").count(), 3);
+    let warning = explained(&["box", "that", "ends", "less", "than", "1.5", "Hertz", "half-widths"]);
+    assert!(warning.contains("grid.accuracy"), "{warning}");
+    common::assert_refused(&["explain", "lubricant.graed"], &["graed", "lubricant.grade"]);
+    common::assert_refused(&["explain", ""], &["neither a key"]);
+}
+
+const BEARING: &str = "[given_film]\nkind = \"journal\"\ndiameter = \"50 mm\"\nwidth = \"25 mm\"\nclearance = \"40 um\"\n\
+    speed = \"1500 rpm on 50 mm\"\nload = \"1 kN\"\nnx = 90\nny = 16\n[lubricant]\ngrade = \"ISO VG 32\"\n\
+    viscosity_index = 98\n[thermal]\nbulk_temperature = \"50 degC\"\n";
+
+/// The text has the numbers of the JSON; the fields are those of the grid; other subcommands name the one that takes it.
+#[test]
+fn rigid_bearing_is_solved_under_its_load() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.toml");
+    std::fs::write(&path, BEARING).unwrap();
+    let fields = folder.path().join("fields.npz");
+    let numbers = json_of(&stribeck(&["solve", text(&path), "--json", "--fields", text(&fields)]));
+    let number = |key: &str| numbers[key].as_f64().unwrap();
+    assert!((number("load") - 1000.0).abs() < 2e-3 && fields.exists());
+    let [towards, across] = [0, 1].map(|k| numbers["force"][k].as_f64().unwrap());
+    assert!((towards.hypot(across) / number("load") - 1.0).abs() < 1e-12);
+    let report = String::from_utf8(stribeck(&["solve", text(&path)]).stdout).unwrap();
+    for part in [
+        format!("eccentricity {:.4}", number("eccentricity")),
+        format!("attitude {:.2} deg", number("attitude").to_degrees()),
+        format!("power      {:.4} W", number("power_loss")),
+        format!("side flow  {:.4} ml/s", 1e6 * number("side_flow")),
+        format!("oil        {:.4} mPa s at 50.00 degC", 1e3 * number("eta0")),
+    ] {
+        assert!(report.contains(&part), "{part}: {report}");
+    }
+    for command in ["check", "curve"] {
+        common::assert_refused(&[command, text(&path)], &["journal.toml", "[given_film]", "stribeck solve"]);
+    }
+    common::assert_refused(&["solve", text(&path), "--plot"], &["--plot", "--fields"]);
+    std::fs::write(&path, BEARING.replace("1 kN", "1 m")).unwrap();
+    common::assert_refused(&["solve", text(&path)], &["journal.toml: given_film.load = \"1 m\"", "kN"]);
+}

@@ -55,6 +55,8 @@ impl SolvedFilm {
         let [lower, upper] = self.0.friction;
         numbers.set_item("force", dictionary!(py, { "lower": lower, "upper": upper }))?;
         numbers.set_item("flow", named(py, &self.0.flow)?)?;
+        numbers.set_item("side_flow", self.0.side_flow)?;
+        numbers.set_item("power_loss", self.0.power_loss)?;
         Ok(numbers)
     }
 

@@ -20,13 +20,15 @@ __all__ = ["GivenFilm", "given_film"]
 
 class GivenFilm(Solved):
     """A film between rigid surfaces. ``load`` [N], ``force.lower`` and ``force.upper`` [N], the shear forces along +x on both
-    surfaces, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
+    surfaces, ``side_flow`` [m^3/s] through the edges across y, ``power_loss`` [W] by friction, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
     and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
 
     __slots__ = ("_rows", "film", "pressure", "theta", "warnings")
 
     load: float
     force: Forces
+    side_flow: float
+    power_loss: float
     flow: Flow
     film: npt.NDArray[np.float64]
     pressure: npt.NDArray[np.float64]

@@ -20,6 +20,7 @@ def test_compressible_oil_has_the_published_peak_of_a_pocket() -> None:
     soft = stribeck.given_film(pocket, grid, **keys, density_a="0.6 1/GPa", density_b=1.7e-9).require_converged()
     # 8.50 MPa, read from a figure
     assert soft.pressure.max() == pytest.approx(8.50e6, rel=0.04)
+    assert soft.power_loss == pytest.approx(-soft.force.lower, rel=1e-12)
     assert stiff.pressure.max() / soft.pressure.max() == pytest.approx(1.048, abs=0.01)
     for name in ("density_a", "density_b"):
         with pytest.raises(stribeck.InputError, match=name):

@@ -49,7 +49,7 @@ impl Dimension {
         if let (Self::Speed, Some(circle)) = (self, unit.strip_prefix("rpm")) {
             let Some(diameter) = circle.trim().strip_prefix("on ") else {
                 return Err(refused(
-                    "rpm is a rate of rotation; with the diameter of the surface it is a speed: \"1500 rpm on 40 mm\""
+                    "rpm is a rate of rotation, not a speed in m/s; with the diameter of the surface it is one: \"1500 rpm on 40 mm\""
                         .to_owned(),
                 ));
             };

@@ -4,6 +4,7 @@ pub(crate) mod check;
 pub(crate) mod completion;
 mod contact_pictures;
 pub(crate) mod curve;
+pub(crate) mod explain;
 pub(crate) mod init;
 pub(crate) mod run;
 pub(crate) mod solve;

@@ -1,17 +1,21 @@
-//! `stribeck solve`: one contact.
+//! `stribeck solve`: one contact, or a rigid bearing.
+
+mod bearing;
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use indicatif::ProgressBar;
+use stribeck::Grid;
 use stribeck::sim::scene::{GridSpec, Scene};
-use stribeck::sim::{ContactSolution, MixedLubricationSim, SimError, write_npz};
+use stribeck::sim::{ContactSolution, MixedLubricationSim, RigidBearing, SimError, write_npz};
 
 use super::contact_pictures::{Seen, maps, profile};
 use crate::output::{self, Held, Outcome, Output};
 use crate::{files, interrupt, picture};
 
+/// A scene with the table [given_film] is a rigid bearing: load, friction, side flow and power.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
@@ -27,6 +31,11 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
     if let Some(path) = &options.fields {
         output::keep_scene(&options.scene, path)?;
+    }
+    if let Some(bearing) = RigidBearing::load(&options.scene)
+        .map_err(|error| output::in_scene(&options.scene, output::plain(error).as_ref()))?
+    {
+        return bearing::run(options, &bearing);
     }
     let scene = output::load(&options.scene)?;
     claim(options, &scene)?;
@@ -59,13 +68,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let seconds = start.elapsed().as_secs_f64();
     let mut written = Vec::new();
     if let Some(path) = &options.fields {
-        files::write_with(path, |draft| {
-            let written = write_npz(draft, &solution.grid, &solution.fields());
-            written.map_err(|error| match error {
-                SimError::Io { source, .. } => files::named(path, &source).into(),
-                other => other.into(),
-            })
-        })?;
+        write_fields(path, &solution.grid, &solution.fields())?;
         written.push(path.clone());
     }
     if options.output.plot {
@@ -125,6 +128,16 @@ fn claim(options: &Options, scene: &Scene) -> Result<(), String> {
         files::claim(&targets, force, output::OTHER_FOLDER)?;
     }
     Ok(())
+}
+
+/// Writes the `fields` on `grid` as a NumPy archive.
+fn write_fields(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> Result<(), Box<dyn Error>> {
+    files::write_with(path, |draft| {
+        write_npz(draft, grid, fields).map_err(|error| match error {
+            SimError::Io { source, .. } => files::named(path, &source).into(),
+            other => other.into(),
+        })
+    })
 }
 
 fn pictures(options: &Options, solution: &ContactSolution) -> Result<Vec<PathBuf>, Box<dyn Error>> {

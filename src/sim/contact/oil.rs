@@ -82,9 +82,17 @@ pub(in crate::sim) fn density(
     temperature: f64,
 ) -> Result<Option<Box<dyn DensityLaw>>, InputError> {
     let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
+    density_law(&spec, temperature).map(Some)
+}
+
+/// The density law at `temperature` \[K\].
+pub(in crate::sim) fn density_law(
+    spec: &LubricantSpec,
+    temperature: f64,
+) -> Result<Box<dyn DensityLaw>, InputError> {
     let law: Box<dyn DensityLaw> = match spec.viscosity {
         Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
         _ => Box::new(DowsonHigginson::new(spec.density_a, spec.density_b)?),
     };
-    Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
+    Ok(law.at_temperature(temperature).unwrap_or(law))
 }

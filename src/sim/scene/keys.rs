@@ -17,7 +17,7 @@ use Dimension::{
 };
 
 /// All keys with a dimension; `*` matches the name of a body. Loads of a line contact are per length.
-const KEYS: &[(&str, Dimension)] = &[
+pub(super) const KEYS: &[(&str, Dimension)] = &[
     ("form.radius", Length),
     ("form.radius_x", Length),
     ("form.radius_y", Length),
@@ -61,6 +61,16 @@ const KEYS: &[(&str, Dimension)] = &[
     ("lubricant.viscosity.glass_temperature", Temperature),
     ("lubricant.viscosity.a2", InversePressure),
     ("lubricant.viscosity.b1", InversePressure),
+    ("given_film.diameter", Length),
+    ("given_film.width", Length),
+    ("given_film.clearance", Length),
+    ("given_film.eccentricity", Ratio),
+    ("given_film.load", Force),
+    ("given_film.length", Length),
+    ("given_film.inlet_film", Length),
+    ("given_film.outlet_film", Length),
+    ("given_film.step", Length),
+    ("given_film.speed", Speed),
     ("grid.x", Length),
     ("grid.y", Length),
     ("grid.accuracy", Ratio),

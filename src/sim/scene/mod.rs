@@ -8,7 +8,11 @@
 
 mod elastic;
 #[cfg(feature = "serde")]
+mod explain;
+#[cfg(feature = "serde")]
 mod files;
+#[cfg(feature = "serde")]
+mod given_film;
 mod grid;
 pub(in crate::sim) mod hertz;
 #[cfg(feature = "serde")]
@@ -36,6 +40,14 @@ mod tribofilm;
 mod wear;
 
 pub use elastic::{Elastic, FilmElasticSpec, LayerSpec};
+#[cfg(feature = "serde")]
+pub use explain::explain;
+#[cfg(feature = "serde")]
+pub(in crate::sim) use files::read_tables;
+#[cfg(feature = "serde")]
+pub(in crate::sim) use given_film::BearingFile;
+#[cfg(feature = "serde")]
+pub use given_film::{BearingSpec, JournalPosition};
 pub use grid::GridSpec;
 pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};

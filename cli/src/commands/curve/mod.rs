@@ -40,7 +40,7 @@ pub(crate) struct Options {
     /// 40 degC]
     #[arg(long, allow_hyphen_values = true)]
     from: Option<String>,
-    /// Highest value [default: a hundred times the speed or the load of the scene, ratio 0.5, 100 degC]
+    /// Highest value [default: a hundred times the speed, or the load of the scene, ratio 0.5, 100 degC]
     #[arg(long, allow_hyphen_values = true)]
     to: Option<String>,
     /// Number of values; speeds and loads are evenly spread over their logarithms
