@@ -156,3 +156,52 @@ fn rigid_bearing_is_solved_under_its_load() {
     std::fs::write(&path, BEARING.replace("1 kN", "1 m")).unwrap();
     common::assert_refused(&["solve", text(&path)], &["journal.toml: given_film.load = \"1 m\"", "kN"]);
 }
+
+/// `init` writes an oil by its grade, at its temperature.
+#[test]
+fn init_writes_an_oil_by_its_grade() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("new.toml");
+    let arguments =
+        ["--grade", "ISO VG 46", "--temperature", "60 degC", "--cells", "32", "--speed", "0.2 m/s"];
+    let output = stribeck(&[&["init", text(&path)], &arguments[..]].concat());
+    assert!(output.status.success(), "{output:?}");
+    let scene = Scene::load(&path).unwrap();
+    let oil = scene.oil_numbers().unwrap().unwrap();
+    assert!(
+        (oil.temperature - 333.15).abs() < 1e-9 && oil.eta0_source.starts_with("ISO VG 46, VI 95"),
+        "{oil:?}"
+    );
+    std::fs::remove_file(&path).unwrap();
+    common::assert_refused(&["init", text(&path), "--grade", "ISO VG 47"], &["ISO VG 46", "lubricant.grade"]);
+    common::assert_refused(
+        &["init", text(&path), "--grade", "ISO VG 46", "--eta0", "0.1"],
+        &["--eta0", "--grade"],
+    );
+    common::assert_refused(&["init", text(&path), "--temperature", "60 degC"], &["--grade"]);
+    assert!(!path.exists());
+}
+
+/// The shipped journal has the load of its scene, the shipped traction contact the film of its formula and the speeds of
+/// its bodies.
+#[test]
+fn shipped_scenes_of_data_sheets_have_their_hand_formulas() {
+    let shipped = |name: &str| repository(&format!("examples/scenes/{name}.toml"));
+    let journal = json_of(&stribeck(&["solve", text(&shipped("journal")), "--json"]));
+    let number = |key: &str| journal[key].as_f64().unwrap();
+    assert!(
+        (number("load") / 2000.0 - 1.0).abs() < 1e-5 && journal["warnings"].as_array().unwrap().is_empty()
+    );
+    // Between the friction of the centered journal (Petroff) and three times that.
+    let speed = std::f64::consts::PI * 50.0 * 50e-3;
+    let petroff = number("eta0") * speed / 25e-6 * std::f64::consts::PI * 50e-3 * 25e-3;
+    assert!((1.0..3.0).contains(&(number("friction_moving") / petroff)), "{journal}");
+    let scene = Scene::load(shipped("traction")).unwrap();
+    let [ball, disc] = scene.motion.surface_speeds();
+    assert!((ball - std::f64::consts::PI * 10.0 * 19.05e-3).abs() < 1e-12);
+    assert!((disc - std::f64::consts::PI * 2.0 * 84e-3).abs() < 1e-12);
+    let solution = solve_contact(&scene).unwrap();
+    assert!(solution.warnings.is_empty(), "{:?}", solution.warnings);
+    let formula = scene.formula_film().unwrap().unwrap().central;
+    assert!((solution.film.central / formula - 1.0).abs() < 0.1, "{} {formula}", solution.film.central);
+}

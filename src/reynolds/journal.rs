@@ -130,7 +130,7 @@ impl JournalBearing<'_> {
             }
             .into());
         }
-        let mut last_side = 0.0;
+        let mut last_is_low = None;
         for _ in 0..MOST_SOLVES {
             if (solution.load / load - 1.0).abs() < LOAD_TOLERANCE {
                 break;
@@ -141,14 +141,14 @@ impl JournalBearing<'_> {
             let eccentricity = low[0] + share * (high[0] - low[0]);
             solution = self.solve_unless(eccentricity, interrupted)?;
             let rest = solution.load - load;
-            let end = if rest < 0.0 { &mut low } else { &mut high };
-            *end = [eccentricity, rest];
+            let is_low = rest < 0.0;
             // Illinois: an end that is kept twice counts half.
-            if rest.signum() == last_side {
-                let kept = if rest < 0.0 { &mut high } else { &mut low };
+            let (end, kept) = if is_low { (&mut low, &mut high) } else { (&mut high, &mut low) };
+            *end = [eccentricity, rest];
+            if last_is_low == Some(is_low) {
                 kept[1] *= 0.5;
             }
-            last_side = rest.signum();
+            last_is_low = Some(is_low);
         }
         Ok(solution)
     }

@@ -10,6 +10,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use stribeck::sim::{MixedLubricationSim, Scene};
+use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
 
 use self::answers::Answers;
@@ -36,6 +37,10 @@ const GAP_BEYOND: f64 = 1.2;
 const ROOM: f64 = 0.3;
 /// Young's modulus \[Pa\] and Poisson's ratio of steel.
 const STEEL: (f64, f64) = (210e9, 0.3);
+/// Viscosity index of a paraffinic mineral oil.
+const USUAL_INDEX: f64 = 95.0;
+/// Temperature of an oil by its grade \[K\].
+const USUAL_TEMPERATURE: f64 = 313.15;
 /// What warnings that answers can mend are about.
 const LARGEST_PRESSURE: &str = "pressure.max";
 const CENTRAL_FILM: &str = "film.central";
@@ -70,6 +75,18 @@ pub(crate) struct Options {
     /// Pressure-viscosity coefficient of the oil [default: 18 1/GPa]
     #[arg(long, allow_hyphen_values = true, value_name = "ONE OVER PRESSURE")]
     alpha: Option<String>,
+    /// ISO viscosity grade of the oil, "ISO VG 46", in place of --eta0 and --alpha
+    #[arg(long, conflicts_with_all = ["eta0", "alpha"])]
+    grade: Option<String>,
+    /// Viscosity index of the oil of this grade [default: 95]
+    #[arg(long, allow_hyphen_values = true, requires = "grade")]
+    viscosity_index: Option<f64>,
+    /// Temperature of the contact, for the oil of this grade [default: 40 degC]
+    #[arg(
+        long, requires = "grade",
+        value_parser = |text: &str| output::positive(Dimension::Temperature, "--temperature", text)
+    )]
+    temperature: Option<f64>,
     /// Mean speed of the two surfaces [default: 0.5 m/s]
     #[arg(long, allow_hyphen_values = true, value_name = "SPEED")]
     speed: Option<String>,
@@ -192,7 +209,7 @@ fn write(file: &Path, text: &str, force: bool) -> Result<(), String> {
 
 /// The text of the scene file.
 fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>> {
-    let bodies = bodies(answers)?;
+    let bodies = bodies(options, answers)?;
     let trial = Scene::from_toml(&format!("{bodies}{}", grid([1.0; 2], [16; 2])))?;
     let half_width = trial.hertz()?.half_width_x;
     let inlet = half_width * flooded_inlet(&trial, half_width)?;
@@ -234,7 +251,7 @@ fn flooded_inlet(scene: &Scene, half_width: f64) -> Result<f64, InputError> {
 }
 
 /// All of the scene that does not depend on the size of the contact.
-fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
+fn bodies(options: &Options, answers: &Answers) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     let (modulus, ratio) = STEEL;
     writeln!(
@@ -261,17 +278,34 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
     )?;
     writeln!(
         text,
-        "[lubricant] # leave the table out for a dry contact\n\
-         eta0 = {} # viscosity at ambient pressure and the temperature of the contact\n\
-         alpha = {} # pressure-viscosity coefficient\n\
-         roelands_z = 0.68 # how the viscosity bends at high pressure; 0.6 to 0.7 for mineral oils\n\n\
+        "{}\n\
          [friction]\n\
          boundary_coefficient = 0.115 # where solids touch\n\
          eyring_stress = \"5 MPa\" # shear stress from which on the oil thins; leave the line out for a Newtonian oil",
-        answers.eta0.entry(),
-        answers.alpha.entry()
+        oil(options, answers)
     )?;
     Ok(text)
+}
+
+/// The tables of the oil and of its temperature.
+fn oil(options: &Options, answers: &Answers) -> String {
+    let head = "[lubricant] # leave the table out for a dry contact\n";
+    match &options.grade {
+        Some(grade) => format!(
+            "{head}grade = {grade:?} # kinematic viscosity at 40 degC\n\
+             viscosity_index = {:?} # its fall with temperature; paraffinic mineral oils: about 95\n\n\
+             [thermal]\nbulk_temperature = \"{} degC\" # of the contact; the oil follows it\n",
+            options.viscosity_index.unwrap_or(USUAL_INDEX),
+            plain(options.temperature.unwrap_or(USUAL_TEMPERATURE) - 273.15)
+        ),
+        None => format!(
+            "{head}eta0 = {} # viscosity at ambient pressure and the temperature of the contact\n\
+             alpha = {} # pressure-viscosity coefficient\n\
+             roelands_z = 0.68 # how the viscosity bends at high pressure; 0.6 to 0.7 for mineral oils\n",
+            answers.eta0.entry(),
+            answers.alpha.entry()
+        ),
+    }
 }
 
 /// A box of so many cells along x and y that ends `inlet` before the middle and `half_side` on the other

@@ -15,7 +15,7 @@ use super::contact_pictures::{Seen, maps, profile};
 use crate::output::{self, Held, Outcome, Output};
 use crate::{files, interrupt, picture};
 
-/// A scene with the table [given_film] is a rigid bearing: load, friction, side flow and power.
+/// A scene with the table `given_film` is a rigid bearing: load, friction, side flow and power.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file

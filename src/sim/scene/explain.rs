@@ -129,7 +129,7 @@ fn warning(text: &str) -> Option<String> {
     let scored = rows.filter_map(|cells| {
         let own = words(&cells.join(" "));
         let common = asked.iter().filter(|word| own.contains(word)).count();
-        (common >= COMMON_WORDS).then(|| (common, cells))
+        (common >= COMMON_WORDS).then_some((common, cells))
     });
     let (_, cells) = scored.max_by_key(|(common, _)| *common)?;
     let [about, place, ..] = cells.as_slice() else { return None };

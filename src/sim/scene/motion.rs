@@ -79,13 +79,14 @@ impl TryFrom<MotionTable> for Motion {
                 .to_owned());
         }
         let mean = 0.5 * ball + 0.5 * disc;
-        if ball != disc && mean.abs() <= f64::EPSILON * ball.abs() {
+        let sliding = ball - disc;
+        if sliding.abs() > 0.0 && mean.abs() <= f64::EPSILON * ball.abs() {
             return Err(format!(
                 "`ball_speed` = {ball} m/s and `disc_speed` = {disc} m/s have the mean 0: no oil is entrained, and there \
                  is no slide-roll ratio"
             ));
         }
-        let ratio = if ball == disc { 0.0 } else { (ball - disc) / mean };
+        let ratio = if sliding.abs() > 0.0 { sliding / mean } else { 0.0 };
         Ok(given(Some(mean), Some(ratio)))
     }
 }
