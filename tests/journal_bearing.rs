@@ -115,7 +115,7 @@ fn side_flow_is_the_difference_of_the_flows_along_the_film() {
     let grid = Grid::from_edges(40, 1, [0.0, 1e-2], [0.0, 1.0]).unwrap();
     let film = FilmThickness::from_function(grid, |x, _| 2e-6 - 1e-4 * x).unwrap();
     let oil = oil();
-    assert_eq!(GivenFilm::new(&film, &oil, [1.0, 0.0]).solve().unwrap().side_flow, 0.0);
+    assert!(GivenFilm::new(&film, &oil, [1.0, 0.0]).solve().unwrap().side_flow.abs() < 1e-20);
 }
 
 #[test]
