@@ -2,6 +2,7 @@
 
 mod answers;
 mod disc;
+mod oil;
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -37,10 +38,6 @@ const GAP_BEYOND: f64 = 1.2;
 const ROOM: f64 = 0.3;
 /// Young's modulus \[Pa\] and Poisson's ratio of steel.
 const STEEL: (f64, f64) = (210e9, 0.3);
-/// Viscosity index of a paraffinic mineral oil.
-const USUAL_INDEX: f64 = 95.0;
-/// Temperature of an oil by its grade \[K\].
-const USUAL_TEMPERATURE: f64 = 313.15;
 /// What warnings that answers can mend are about.
 const LARGEST_PRESSURE: &str = "pressure.max";
 const CENTRAL_FILM: &str = "film.central";
@@ -282,30 +279,9 @@ fn bodies(options: &Options, answers: &Answers) -> Result<String, std::fmt::Erro
          [friction]\n\
          boundary_coefficient = 0.115 # where solids touch\n\
          eyring_stress = \"5 MPa\" # shear stress from which on the oil thins; leave the line out for a Newtonian oil",
-        oil(options, answers)
+        oil::tables(options, answers)
     )?;
     Ok(text)
-}
-
-/// The tables of the oil and of its temperature.
-fn oil(options: &Options, answers: &Answers) -> String {
-    let head = "[lubricant] # leave the table out for a dry contact\n";
-    match &options.grade {
-        Some(grade) => format!(
-            "{head}grade = {grade:?} # kinematic viscosity at 40 degC\n\
-             viscosity_index = {:?} # its fall with temperature; paraffinic mineral oils: about 95\n\n\
-             [thermal]\nbulk_temperature = \"{} degC\" # of the contact; the oil follows it\n",
-            options.viscosity_index.unwrap_or(USUAL_INDEX),
-            plain(options.temperature.unwrap_or(USUAL_TEMPERATURE) - 273.15)
-        ),
-        None => format!(
-            "{head}eta0 = {} # viscosity at ambient pressure and the temperature of the contact\n\
-             alpha = {} # pressure-viscosity coefficient\n\
-             roelands_z = 0.68 # how the viscosity bends at high pressure; 0.6 to 0.7 for mineral oils\n",
-            answers.eta0.entry(),
-            answers.alpha.entry()
-        ),
-    }
 }
 
 /// A box of so many cells along x and y that ends `inlet` before the middle and `half_side` on the other

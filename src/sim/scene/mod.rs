@@ -19,11 +19,16 @@ pub(in crate::sim) mod hertz;
 mod keys;
 mod load;
 mod lubricant;
+#[cfg(feature = "serde")]
+mod lubricant_table;
 mod materials;
 #[cfg(feature = "serde")]
 mod missing;
 mod motion;
+mod named_material;
 mod oil;
+#[cfg(feature = "serde")]
+mod oil_keys;
 pub(in crate::sim) mod operating_schedule;
 mod processes;
 mod roughness;
@@ -52,8 +57,9 @@ pub use grid::GridSpec;
 pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};
 pub(in crate::sim) use materials::BODIES;
-pub use materials::{Material, Materials, NamedMaterial};
+pub use materials::{Material, Materials};
 pub use motion::Motion;
+pub use named_material::NamedMaterial;
 pub use oil::{KinematicPoint, OilSpec};
 pub use processes::{Flash, FlowThinning, FrictionSpec, PlasticSpec, ThermalSpec};
 pub(in crate::sim) use roughness::ShortestWaves;

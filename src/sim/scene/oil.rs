@@ -7,7 +7,7 @@ use crate::lubricant::{BaseOil, INDEX_TEMPERATURES, Walther};
 use crate::with_fields::with_fields;
 
 /// Viscosity grades: kinematic viscosities at 40 degrees Celsius \[mm^2/s\]. Source: ISO 3448.
-const GRADES: [u16; 20] =
+pub(super) const GRADES: [u16; 20] =
     [2, 3, 5, 7, 10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460, 680, 1000, 1500, 2200, 3200];
 /// Relative tolerance of a grade (ISO 3448).
 const GRADE_TOLERANCE: f64 = 0.1;
@@ -15,9 +15,6 @@ const GRADE_TOLERANCE: f64 = 0.1;
 const INDEX_TOLERANCE: f64 = 5.0;
 /// Density of a mineral oil without a stated one \[kg/m^3\].
 const USUAL_DENSITY: f64 = 870.0;
-/// Form of `kinematic` in scene files.
-#[cfg(feature = "serde")]
-const EXAMPLE: &str = "\"67 cSt at 40 degC, 8.9 cSt at 100 degC\"";
 
 /// A kinematic viscosity at a temperature.
 ///
@@ -181,7 +178,7 @@ fn missing(key: &str, remedy: &str) -> InputError {
 }
 
 /// Error for a grade outside of the standard, with its neighbors.
-fn unknown_grade(number: f64, text: &str) -> InputError {
+pub(super) fn unknown_grade(number: f64, text: &str) -> InputError {
     let above = GRADES.iter().position(|grade| f64::from(*grade) >= number).unwrap_or(GRADES.len());
     let near = GRADES.get(above.saturating_sub(1)..(above + 1).min(GRADES.len())).unwrap_or(&GRADES);
     let near: Vec<String> = near.iter().map(|grade| format!("ISO VG {grade}")).collect();
@@ -212,108 +209,4 @@ impl fmt::Display for Points {
 /// A number without the rounding errors of a change of unit.
 fn rounded(value: f64) -> f64 {
     format!("{value:.12e}").parse().unwrap_or(value)
-}
-
-/// Keys of an oil as written in a scene file.
-#[cfg(feature = "serde")]
-#[derive(Debug, Default, serde::Serialize)]
-pub(super) struct OilKeys {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) grade: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) viscosity_index: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) kinematic: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) density: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) base_oil: Option<BaseOil>,
-}
-
-#[cfg(feature = "serde")]
-impl serde::Serialize for OilSpec {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let texts: Vec<String> = self
-            .kinematic
-            .iter()
-            .flatten()
-            .map(|point| format!("{:e} m^2/s at {} K", point.viscosity, point.temperature))
-            .collect();
-        OilKeys {
-            grade: self.grade.map(|grade| format!("ISO VG {grade}")),
-            viscosity_index: self.viscosity_index,
-            kinematic: (!texts.is_empty()).then(|| texts.join(", ")),
-            density: self.density,
-            base_oil: Some(self.base_oil),
-        }
-        .serialize(serializer)
-    }
-}
-
-#[cfg(feature = "serde")]
-impl OilKeys {
-    /// The first key that is given.
-    pub(super) fn first(&self) -> Option<&'static str> {
-        let given = [
-            ("grade", self.grade.is_some()),
-            ("kinematic", self.kinematic.is_some()),
-            ("viscosity_index", self.viscosity_index.is_some()),
-            ("density", self.density.is_some()),
-            ("base_oil", self.base_oil.is_some()),
-        ];
-        given.into_iter().find(|(_, given)| *given).map(|(key, _)| key)
-    }
-
-    /// The oil; `None` if no key is given.
-    pub(super) fn into_spec(self) -> Result<Option<OilSpec>, InputError> {
-        if self.first().is_none() {
-            return Ok(None);
-        }
-        Ok(Some(OilSpec {
-            grade: self.grade.as_deref().map(grade).transpose()?,
-            viscosity_index: self.viscosity_index,
-            kinematic: self.kinematic.as_deref().map_or(Ok([None; 2]), points)?,
-            density: self.density,
-            base_oil: self.base_oil.unwrap_or_default(),
-        }))
-    }
-}
-
-/// The number of a grade: `ISO VG 46`, `VG 46` or `46`.
-#[cfg(feature = "serde")]
-fn grade(text: &str) -> Result<u16, InputError> {
-    let upper = text.to_ascii_uppercase();
-    let number = upper.trim().trim_start_matches("ISO").trim_start().trim_start_matches("VG").trim();
-    let known = number.parse().ok().filter(|number| GRADES.contains(number));
-    known.ok_or_else(|| match number.parse::<f64>() {
-        Ok(number) => unknown_grade(number, text),
-        Err(_) => InputError::Conflict {
-            field: format!("lubricant.grade = \"{}\"", crate::error::escape(text)),
-            reason: "must be a grade of ISO 3448, such as \"ISO VG 46\"; engine and gear oils of SAE grades are given by \
-                     lubricant.kinematic"
-                .to_owned(),
-        },
-    })
-}
-
-/// One or two viscosities with their temperatures.
-#[cfg(feature = "serde")]
-fn points(text: &str) -> Result<[Option<KinematicPoint>; 2], InputError> {
-    use crate::units::Dimension;
-    let field = "lubricant.kinematic";
-    let wrong = || InputError::Conflict {
-        field: format!("{field} = \"{}\"", crate::error::escape(text)),
-        reason: format!(
-            "must be one or two viscosities with their temperatures and a decimal point: {EXAMPLE}"
-        ),
-    };
-    let mut found = [None; 2];
-    let mut parts = text.split([',', ';']);
-    for (place, part) in found.iter_mut().zip(&mut parts) {
-        let (viscosity, temperature) = part.split_once(" at ").ok_or_else(wrong)?;
-        let viscosity = Dimension::KinematicViscosity.parse(field, viscosity.trim())?;
-        *place =
-            Some(KinematicPoint::new(viscosity, Dimension::Temperature.parse(field, temperature.trim())?));
-    }
-    if parts.next().is_some() { Err(wrong()) } else { Ok(found) }
 }
