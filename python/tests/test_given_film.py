@@ -42,4 +42,5 @@ def test_rigid_bearing_of_a_scene_is_in_equilibrium_with_its_load() -> None:
         stribeck.rigid_bearing(scenes / "smooth.toml")
     oil = stribeck.Scene(scenes / "traction.toml").oil()
     assert oil is not None
-    assert oil.film_uncertainty == pytest.approx(0.5 * oil.alpha_uncertainty, abs=0.01)
+    # alpha to the power 0.5 in a hard contact, to 2/3 in a light one
+    assert 0.45 < oil.film_uncertainty / oil.alpha_uncertainty < 0.72
