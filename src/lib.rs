@@ -90,6 +90,7 @@ mod error;
 mod grid;
 pub mod lubricant;
 pub mod metrics;
+mod nearest;
 mod numerics;
 pub mod plastic;
 mod regular_file;

@@ -195,33 +195,6 @@ fn pocket_of_finite_width_has_the_peak_of_the_figure() {
     assert!((incompressible / peak - 1.048).abs() < 0.005, "{incompressible} {peak}");
 }
 
-/// Sommerfeld number `F psi^2 / (B D eta omega)` of a bearing as wide as its diameter, supplied where its gap
-/// is widest.
-fn sommerfeld_number(eccentricity: f64, cells: [usize; 2]) -> f64 {
-    let (radius, clearance, omega) = (0.05_f64, 5e-5, 100.0);
-    let [length, width] = [2.0 * std::f64::consts::PI * radius, 2.0 * radius];
-    let grid = Grid::from_edges(cells[0], cells[1], [0.0, length], [0.0, width]).unwrap();
-    let film =
-        FilmThickness::from_function(grid, |x, _| clearance * (1.0 + eccentricity * (x / radius).cos()))
-            .unwrap();
-    let solution = solved(&GivenFilm::new(&film, &oil(ETA, 0.0), [omega * radius, 0.0]));
-    let sum = |of: fn(f64) -> f64| {
-        let parts = grid.nodes().zip(&solution.pressure).map(|((x, _), p)| p * of(x / radius));
-        parts.sum::<f64>() * grid.cell_area()
-    };
-    let force = sum(f64::cos).hypot(sum(f64::sin));
-    let psi = clearance / radius;
-    force * psi * psi / (width * 2.0 * radius * ETA * omega)
-}
-
-#[test]
-fn journal_bearing_carries_what_the_table_says() {
-    for (eccentricity, expected) in [(0.5, 0.8903), (0.8, 3.5663), (0.9, 8.4352)] {
-        let found = sommerfeld_number(eccentricity, [360, 80]);
-        assert!((found / expected - 1.0).abs() < 0.01, "{eccentricity}: {found}");
-    }
-}
-
 /// 5 x 5 square dimples, a third of their distance wide, in parallel squares of 80 mm.
 fn textured_square(cells: usize) -> GivenFilmSolution {
     let side = 0.08;

@@ -332,7 +332,7 @@ fn named_materials_match_iso_6336() {
     let wrong = text.replacen("[materials.ball]", "[materials.ball]\nmaterial = \"cheese\"", 1);
     let error = Scene::from_toml(&wrong).unwrap_err().to_string();
     assert!(
-        ["cheese", "nodular_cast_iron", "materials.ball.material"].iter().all(|part| error.contains(part)),
+        ["cheese", "steel", "materials.ball.material"].iter().all(|part| error.contains(part)),
         "{error}"
     );
 }

@@ -15,9 +15,9 @@ mod surface_numbers;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::commands::{check, curve, init, run, solve, surface, sweep};
+use crate::commands::{check, completion, curve, explain, init, run, solve, surface, sweep};
 use crate::output::Outcome;
 
 /// Rough lubricated contacts that change as they rub.
@@ -47,15 +47,37 @@ enum Command {
     Check(check::Options),
     /// Write a scene file from options, or from the answers to a few questions
     Init(init::Options),
+    /// Explain a key of scenes or a warning
+    Explain(explain::Options),
+    /// Print the completion of this command for a shell
+    Completion(completion::Options),
 }
+
+/// The text of `stribeck` alone.
+const SHORT_HELP: &str = "\
+stribeck: rough lubricated contacts from scene files
+
+  stribeck init scene.toml                           write a scene by answering a few questions
+  stribeck check scene.toml                          Hertz contact, oil, film and regime by formula
+  stribeck solve scene.toml --plot                   film, pressure and friction of one contact
+  stribeck curve scene.toml --plot                   Stribeck curve: friction over speed
+  stribeck curve scene.toml --over slide_roll_ratio  traction curve; also over load and temperature
+  stribeck run scene.toml --duration 1h              wear, running-in and tribofilm over time
+  stribeck explain lubricant.grade                   meaning, unit, default and range of a key
+
+Others: sweep, surface, completion. `stribeck COMMAND --help` lists the options of a command.";
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            let text = "a subcommand is missing: init, check, solve, curve, sweep, run or surface; `stribeck --help` explains them";
-            output::complain("error", text);
-            return Outcome::Refused.into();
+            return match output::print(&SHORT_HELP) {
+                Ok(()) => Outcome::Converged.into(),
+                Err(error) => {
+                    output::complain("error", &error.to_string());
+                    Outcome::Refused.into()
+                }
+            };
         }
         Err(error) if error.use_stderr() => {
             output::complain("error", &short(&error.to_string()));
@@ -72,6 +94,8 @@ fn main() -> ExitCode {
         Command::Surface(options) => surface::run(&options),
         Command::Check(options) => check::run(&options),
         Command::Init(options) => init::run(&options),
+        Command::Explain(options) => explain::run(&options),
+        Command::Completion(options) => completion::run(&options, &mut Cli::command()),
     };
     match outcome {
         Ok(outcome) => outcome.into(),

@@ -170,7 +170,16 @@ pub(crate) fn report_files(files: &[PathBuf], json: bool) -> io::Result<()> {
 
 /// The scene in the file at `path`.
 pub(crate) fn load(path: &Path) -> Result<Scene, String> {
-    Scene::load(path).map_err(|error| in_scene(path, plain(error).as_ref()))
+    Scene::load(path).map_err(|error| {
+        let text = in_scene(path, plain(error).as_ref());
+        if text.contains("unknown key `given_film`") {
+            return format!(
+                "{}: [given_film] is a rigid bearing, which `stribeck solve` takes",
+                path.display()
+            );
+        }
+        text
+    })
 }
 
 /// The error with the scene file in front, unless it already names it.

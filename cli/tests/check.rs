@@ -46,3 +46,162 @@ fn load_on_solids_is_within_the_range_of_check() {
         assert!(found > 0.7 || !words.contains("boundary"), "{about}: {found}, {words}");
     }
 }
+
+/// `check` states viscosity and pressure-viscosity coefficient with their sources, `solve` the scatter of the film.
+#[test]
+fn oil_of_a_data_sheet_is_reported_with_its_sources() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let shipped = std::fs::read_to_string(repository("examples/scenes/ground_disc.toml")).unwrap();
+    let oil = "eta0 = \"20 mPa s\"\nroelands_z = 0.68\n";
+    assert!(shipped.contains(oil));
+    let sheet = "grade = \"ISO VG 46\"\nviscosity_index = 95\n[thermal]\nbulk_temperature = \"40 degC\"\n";
+    std::fs::write(&path, shipped.replace(oil, sheet)).unwrap();
+    let report = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
+    for part in [
+        "39.29",
+        "mPa s at 40.00 degC: ISO VG 46, VI 95",
+        "870 kg/m^3",
+        "assumed",
+        "So and Klaus 1980",
+        "+- 15 %",
+        "of the film",
+    ] {
+        assert!(report.contains(part), "{part}: {report}");
+    }
+    let check = json_of(&stribeck(&["check", text(&path), "--json"]));
+    let solve = stribeck(&["solve", text(&path)]);
+    let film = check["oil"]["film_uncertainty"].as_f64().unwrap();
+    assert!((0.06..0.09).contains(&film), "{film}");
+    let solved = String::from_utf8(solve.stdout).unwrap();
+    assert!(solved.contains(&format!("+- {:.0} % of the film", 100.0 * film)), "{solved}");
+    std::fs::write(&path, &shipped).unwrap();
+    let given = json_of(&stribeck(&["check", text(&path), "--json"]));
+    assert_eq!(given["oil"]["eta0_source"], "lubricant.eta0");
+    assert_eq!(given["oil"]["film_uncertainty"], 0.0);
+}
+
+#[test]
+fn command_alone_prints_a_short_help() {
+    let output = stribeck::<&str>(&[]);
+    let help = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && output.stderr.is_empty());
+    assert!(help.contains("stribeck solve scene.toml") && help.lines().count() < 15, "{help}");
+}
+
+#[test]
+fn completion_scripts_list_the_subcommands() {
+    for shell in ["bash", "zsh", "fish"] {
+        let output = stribeck(&["completion", shell]);
+        let script = String::from_utf8(output.stdout).unwrap();
+        assert!(
+            output.status.success() && script.contains("curve") && script.contains("slide_roll_ratio"),
+            "{shell}"
+        );
+    }
+}
+
+/// A key has its row of the book, a warning its row of the table of warnings; all others the nearest keys.
+#[test]
+fn explain_prints_the_words_of_the_book() {
+    let explained = |words: &[&str]| {
+        let output = stribeck(&[&["explain"], words].concat());
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let key = explained(&["lubricant.grade"]);
+    assert!(
+        key.contains("ISO viscosity grade")
+            && key.contains("ISO 3448")
+            && key.contains("docs/scene_fluid.md"),
+        "{key}"
+    );
+    assert_eq!(explained(&["modulus"]).matches("Young's modulus").count(), 3);
+    let warning = explained(&["box", "that", "ends", "less", "than", "1.5", "Hertz", "half-widths"]);
+    assert!(warning.contains("grid.accuracy"), "{warning}");
+    common::assert_refused(&["explain", "lubricant.graed"], &["graed", "lubricant.grade"]);
+    common::assert_refused(&["explain", ""], &["neither a key"]);
+}
+
+const BEARING: &str = "[given_film]\nkind = \"journal\"\ndiameter = \"50 mm\"\nwidth = \"25 mm\"\nclearance = \"40 um\"\n\
+    speed = \"1500 rpm on 50 mm\"\nload = \"1 kN\"\nnx = 90\nny = 16\n[lubricant]\ngrade = \"ISO VG 32\"\n\
+    viscosity_index = 98\n[thermal]\nbulk_temperature = \"50 degC\"\n";
+
+/// The text has the numbers of the JSON; the fields are those of the grid; other subcommands name the one that takes it.
+#[test]
+fn rigid_bearing_is_solved_under_its_load() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.toml");
+    std::fs::write(&path, BEARING).unwrap();
+    let fields = folder.path().join("fields.npz");
+    let numbers = json_of(&stribeck(&["solve", text(&path), "--json", "--fields", text(&fields)]));
+    let number = |key: &str| numbers[key].as_f64().unwrap();
+    assert!((number("load") - 1000.0).abs() < 2e-3 && fields.exists());
+    let [towards, across] = [0, 1].map(|k| numbers["force"][k].as_f64().unwrap());
+    assert!((towards.hypot(across) / number("load") - 1.0).abs() < 1e-12);
+    let report = String::from_utf8(stribeck(&["solve", text(&path)]).stdout).unwrap();
+    for part in [
+        format!("eccentricity {:.4}", number("eccentricity")),
+        format!("attitude {:.2} deg", number("attitude").to_degrees()),
+        format!("power      {:.4} W", number("power_loss")),
+        format!("side flow  {:.4} ml/s", 1e6 * number("side_flow")),
+        format!("oil        {:.4} mPa s at 50.00 degC", 1e3 * number("eta0")),
+    ] {
+        assert!(report.contains(&part), "{part}: {report}");
+    }
+    for command in ["check", "curve"] {
+        common::assert_refused(&[command, text(&path)], &["journal.toml", "[given_film]", "stribeck solve"]);
+    }
+    common::assert_refused(&["solve", text(&path), "--plot"], &["--plot", "--fields"]);
+    std::fs::write(&path, BEARING.replace("1 kN", "1 m")).unwrap();
+    common::assert_refused(&["solve", text(&path)], &["journal.toml: given_film.load = \"1 m\"", "kN"]);
+}
+
+/// `init` writes an oil by its grade, at its temperature.
+#[test]
+fn init_writes_an_oil_by_its_grade() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("new.toml");
+    let arguments =
+        ["--grade", "ISO VG 46", "--temperature", "60 degC", "--cells", "32", "--speed", "0.2 m/s"];
+    let output = stribeck(&[&["init", text(&path)], &arguments[..]].concat());
+    assert!(output.status.success(), "{output:?}");
+    let scene = Scene::load(&path).unwrap();
+    let oil = scene.oil_numbers().unwrap().unwrap();
+    assert!(
+        (oil.temperature - 333.15).abs() < 1e-9 && oil.eta0_source.starts_with("ISO VG 46, VI 95"),
+        "{oil:?}"
+    );
+    std::fs::remove_file(&path).unwrap();
+    common::assert_refused(&["init", text(&path), "--grade", "ISO VG 47"], &["ISO VG 46", "lubricant.grade"]);
+    common::assert_refused(
+        &["init", text(&path), "--grade", "ISO VG 46", "--eta0", "0.1"],
+        &["--eta0", "--grade"],
+    );
+    common::assert_refused(&["init", text(&path), "--temperature", "60 degC"], &["--grade"]);
+    assert!(!path.exists());
+}
+
+/// The shipped journal has the load of its scene, the shipped traction contact the film of its formula and the speeds of
+/// its bodies.
+#[test]
+fn shipped_scenes_of_data_sheets_have_their_hand_formulas() {
+    let shipped = |name: &str| repository(&format!("examples/scenes/{name}.toml"));
+    let journal = json_of(&stribeck(&["solve", text(&shipped("journal")), "--json"]));
+    let number = |key: &str| journal[key].as_f64().unwrap();
+    assert!(
+        (number("load") / 2000.0 - 1.0).abs() < 1e-5 && journal["warnings"].as_array().unwrap().is_empty()
+    );
+    // Between the friction of the centered journal (Petroff) and three times that.
+    let speed = std::f64::consts::PI * 50.0 * 50e-3;
+    let petroff = number("eta0") * speed / 25e-6 * std::f64::consts::PI * 50e-3 * 25e-3;
+    assert!((1.0..3.0).contains(&(number("friction_moving") / petroff)), "{journal}");
+    let scene = Scene::load(shipped("traction")).unwrap();
+    let [ball, disc] = scene.motion.surface_speeds();
+    assert!((ball - std::f64::consts::PI * 10.0 * 19.05e-3).abs() < 1e-12);
+    assert!((disc - std::f64::consts::PI * 2.0 * 84e-3).abs() < 1e-12);
+    let solution = solve_contact(&scene).unwrap();
+    assert!(solution.warnings.is_empty(), "{:?}", solution.warnings);
+    let formula = scene.formula_film().unwrap().unwrap().central;
+    assert!((solution.film.central / formula - 1.0).abs() < 0.1, "{} {formula}", solution.film.central);
+}

@@ -30,7 +30,10 @@ fn solve_has_the_numbers_of_the_library_and_draws_them() {
     let mut numbers = json_of(&output);
     assert!(numbers["seconds"].as_f64().unwrap() > 0.0);
     numbers.as_object_mut().unwrap().remove("seconds");
-    let solution = solve_contact(&Scene::load(&scene).unwrap()).unwrap();
+    let oil = numbers.as_object_mut().unwrap().remove("oil").unwrap();
+    let loaded = Scene::load(&scene).unwrap();
+    assert_eq!(oil, serde_json::to_value(loaded.oil_numbers().unwrap()).unwrap());
+    let solution = solve_contact(&loaded).unwrap();
     assert_eq!(numbers, serde_json::to_value(&solution).unwrap());
     assert_pictures(
         &pictures,
@@ -67,8 +70,7 @@ fn bad_input_ends_with_2() {
         assert_refused(&[command, text(&scene)], &["rough.toml: ", "= -1"]);
     }
     let scene = rough(folder.path(), &[]);
-    for arguments in [vec!["--nonsense"], vec![], vec!["solve"], vec!["curve", text(&scene), "--points", "1"]]
-    {
+    for arguments in [vec!["--nonsense"], vec!["solve"], vec!["curve", text(&scene), "--points", "1"]] {
         let output = stribeck(&arguments);
         assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{output:?}");
     }

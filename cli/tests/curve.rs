@@ -198,3 +198,81 @@ fn a_curve_without_a_row_leaves_no_file() {
     assert_eq!((output.status.code(), output.stdout.len()), (Some(1), 0), "{output:?}");
     assert!(!out.exists());
 }
+
+/// A steel contact in an oil by its grade, with 32 x 32 cells.
+const BY_GRADE: &str = "[form]\nkind = \"sphere\"\nradius = \"10 mm\"\n[materials.ball]\nmaterial = \"steel\"\n\
+    [materials.disc]\nmaterial = \"steel\"\n[load]\nforce = \"20 N\"\n[motion]\nentrainment_speed = \"0.5 m/s\"\n\
+    slide_roll_ratio = 0.1\n[lubricant]\ngrade = \"ISO VG 46\"\nviscosity_index = 95\n[friction]\neyring_stress = \"5 MPa\"\n\
+    [thermal]\nbulk_temperature = \"60 degC\"\n[grid]\nnx = 32\nny = 32\nx = [\"-300 um\", \"300 um\"]\n\
+    y = [\"-300 um\", \"300 um\"]\n";
+
+/// The middle of three contacts is that of its own scene, under the name of the quantity.
+#[test]
+fn curves_over_other_quantities_are_those_of_their_contacts() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("grade.toml");
+    std::fs::write(&path, BY_GRADE).unwrap();
+    for (over, ends, column, title, label, middle) in [
+        (
+            "slide_roll_ratio",
+            ["0", "40%"],
+            "motion_slide_roll_ratio",
+            "Traction curve",
+            "slide-roll ratio",
+            0.2,
+        ),
+        ("load", ["5 N", "20 N"], "load_N", "Curve over load", "load (N)", 10.0),
+        (
+            "temperature",
+            ["40 degC", "100 degC"],
+            "bulk_temperature_K",
+            "over temperature",
+            "temperature",
+            343.15,
+        ),
+    ] {
+        let out = folder.path().join(over);
+        let arguments =
+            ["curve", text(&path), "--over", over, "--from", ends[0], "--to", ends[1], "--points", "3"];
+        let output = stribeck(&[&arguments[..], &["--json", "--plot", "--out", text(&out)]].concat());
+        assert!(output.status.success(), "{output:?}");
+        let curve = json_of(&output);
+        let row = &curve["curve"][1];
+        let at = row[column].as_f64().unwrap();
+        assert!((at / middle - 1.0).abs() < 1e-12, "{over}: {at}");
+        let mut scene = Scene::load(&path).unwrap();
+        match over {
+            "load" => scene.load.force = Some(at),
+            "temperature" => scene.thermal.bulk_temperature = at,
+            _ => scene.motion.slide_roll_ratio = at,
+        }
+        let solution = solve_contact(&scene).unwrap();
+        assert_eq!(row["friction_coefficient"], solution.friction.coefficient, "{over}");
+        assert_eq!(row["film_mean_central_m"], solution.film.mean_central, "{over}");
+        let name = format!("grade_curve_{over}");
+        assert_pictures(&out, &name, &[title, label, "friction"]);
+        let table = std::fs::read_to_string(out.join(format!("{name}.csv"))).unwrap();
+        assert!(table.starts_with(&format!("{column},friction_coefficient,")), "{table}");
+    }
+}
+
+/// Friction grows with sliding and the film shrinks with temperature, in the table on the terminal too.
+#[test]
+fn traction_grows_with_sliding_from_zero() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("grade.toml");
+    std::fs::write(&path, BY_GRADE).unwrap();
+    let out = text(folder.path());
+    let output =
+        stribeck(&["curve", text(&path), "--over", "slide_roll_ratio", "--points", "3", "--out", out]);
+    let table = String::from_utf8(output.stdout).unwrap();
+    let friction: Vec<f64> = table
+        .lines()
+        .filter(|line| !line.starts_with("written"))
+        .skip(1)
+        .map(|line| line.split_whitespace().nth(1).unwrap().parse().unwrap())
+        .collect();
+    assert_eq!(friction.len(), 3, "{table}");
+    assert!(friction[0] == 0.0 && friction[1] > 0.005 && friction[2] > friction[1], "{table}");
+    assert!(table.lines().next().unwrap().contains("slide/roll"), "{table}");
+}

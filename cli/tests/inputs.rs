@@ -199,8 +199,13 @@ fn wrong_options_are_refused() {
     let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     std::fs::write(place("scene.toml"), GOOD).unwrap();
     // S, N, D, F: the scene, a new file, a folder and a file that is no scene.
-    let cases: [(&str, &[&str]); 39] = [
-        ("", &["a subcommand is missing", "solve"]),
+    let cases: [(&str, &[&str]); 44] = [
+        ("curve S --over velocity", &["velocity", "slide_roll_ratio"]),
+        ("curve S --over temperature", &["--over temperature", "lubricant.grade"]),
+        ("curve S --over load --from 1m", &["--from = \"1m\"", "N, mN or kN"]),
+        ("curve S --over load --to 1uN", &["--to = \"1uN\"", "kN"]),
+        ("curve S --over slide_roll_ratio --from 1 --to 10%", &["--to = 0.1 must be above --from = 1"]),
+        ("completion cmd", &["cmd", "bash"]),
         ("slove S", &["slove", "solve"]),
         ("solve", &["<SCENE>"]),
         ("solve N", &["new.toml: ", "no such file"]),

@@ -1,17 +1,20 @@
 //! Rigid surfaces with a film that is given.
 
+use std::path::PathBuf;
+
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::Grid;
 use stribeck::lubricant::{Barus, DowsonHigginson, Incompressible, Lubricant};
 use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
-use stribeck::sim::{SimError, Warning, given_film_warnings};
+use stribeck::sim::{RigidBearing, SimError, Warning, given_film_warnings};
 
-use crate::convert::{dictionary, field, named, on_grid};
+use crate::convert::{dictionary, field, list, named, on_grid};
 use crate::error::value;
 use crate::interrupt::on_signal;
 use crate::laws::{Failure, raised};
+use crate::run::RecordParts;
 use crate::scene::Cells;
 
 /// Films at the nodes, or a function of a place.
@@ -55,6 +58,8 @@ impl SolvedFilm {
         let [lower, upper] = self.0.friction;
         numbers.set_item("force", dictionary!(py, { "lower": lower, "upper": upper }))?;
         numbers.set_item("flow", named(py, &self.0.flow)?)?;
+        numbers.set_item("side_flow", self.0.side_flow)?;
+        numbers.set_item("power_loss", self.0.power_loss)?;
         Ok(numbers)
     }
 
@@ -83,6 +88,25 @@ impl SolvedFilm {
         };
         (0..self.0.grid().ny()).map(row).collect()
     }
+}
+
+/// Solves the rigid bearing of a scene file; its numbers with `status`, and its warnings.
+#[pyfunction]
+pub(crate) fn solve_bearing(py: Python<'_>, path: PathBuf) -> PyResult<RecordParts<'_>> {
+    let bearing = value(py, RigidBearing::load(&path))?;
+    let Some(bearing) = bearing else {
+        let reason = "the scene has no table [given_film]; stribeck.solve takes contacts".to_owned();
+        let error = SimError::Scene { reason: format!("{}: {reason}", path.display()) };
+        return value(py, Err(error));
+    };
+    let solved = py.detach(|| bearing.solve(on_signal()));
+    if let Some(error) = Failure.take() {
+        return Err(error);
+    }
+    let solution = value(py, solved)?;
+    let numbers = named(py, &solution.numbers)?;
+    numbers.set_item("status", solution.film.report.status.to_string())?;
+    Ok((numbers, list(py, &solution.warnings)?))
 }
 
 /// Solves for pressure and content in `film` on the cells `on`, of an oil of `(eta0, alpha, [density_a, density_b])` between edges of

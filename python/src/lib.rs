@@ -42,6 +42,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(record::columns, module)?)?;
     module.add_function(wrap_pyfunction!(solution::solve, module)?)?;
     module.add_function(wrap_pyfunction!(given_film::solve_film, module)?)?;
+    module.add_function(wrap_pyfunction!(given_film::solve_bearing, module)?)?;
     module.add_function(wrap_pyfunction!(laws::check_visits, module)?)?;
     module.add_function(wrap_pyfunction!(surface::generate, module)?)?;
     analytic::register(module)?;

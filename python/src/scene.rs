@@ -87,6 +87,11 @@ impl Scene {
         Ok((named(py, &value(py, sim.expectation())?)?, list(py, &warnings)?))
     }
 
+    /// The oil at the bulk temperature; `None` for a dry contact.
+    fn oil<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        value(py, self.0.oil_numbers())?.map(|oil| named(py, &oil)).transpose()
+    }
+
     fn grid(&self, py: Python<'_>) -> PyResult<Cells> {
         value(py, self.0.grid()).map(Cells)
     }

@@ -30,7 +30,7 @@ from .errors import (
     SurfaceError,
     UnknownNameError,
 )
-from .film import GivenFilm, given_film
+from .film import GivenFilm, RigidBearing, given_film, rigid_bearing
 from .history import Body, History, Record, Simulation
 from .scene import Grid, Scene
 from .solution import Report, Solution, solve
@@ -52,6 +52,7 @@ __all__ = [
     "Point",
     "Record",
     "Report",
+    "RigidBearing",
     "Scene",
     "SceneError",
     "ShapeError",
@@ -70,6 +71,7 @@ __all__ = [
     "laws",
     "metrics",
     "read_body",
+    "rigid_bearing",
     "set_num_threads",
     "solve",
     "surface",

@@ -18,6 +18,7 @@ COLUMNS = dict(columns())
 #: Units of other names by their last part; names that are not here have none.
 _UNITS = {
     "angle": "rad",
+    "attitude": "rad",
     "approach": "m",
     "area": "m^2",
     "depth": "m",
@@ -26,12 +27,18 @@ _UNITS = {
     "edges_x": "m",
     "edges_y": "m",
     "force": "N",
+    "friction_moving": "N",
+    "friction_resting": "N",
     "half_width": "m",
     "half_width_x": "m",
     "half_width_y": "m",
+    "least_film": "m",
+    "power_loss": "W",
     "pressure": "Pa",
+    "pressure_max": "Pa",
     "radius": "m",
     "seconds": "s",
+    "side_flow": "m^3/s",
     "stress": "Pa",
 }
 #: Units of full names.

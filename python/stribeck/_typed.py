@@ -171,6 +171,19 @@ class Conditions(Numbers):
     bulk_temperature: float
 
 
+class Oil(Numbers):
+    """Viscosity and pressure-viscosity coefficient of the oil at the bulk temperature."""
+
+    __slots__ = ()
+    temperature: float
+    eta0: float
+    eta0_source: str
+    alpha: float
+    alpha_source: str
+    alpha_uncertainty: float
+    film_uncertainty: float
+
+
 class FilmMap(Numbers):
     """Regime of the film and its thickness with an incompressible oil."""
 

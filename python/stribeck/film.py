@@ -2,31 +2,72 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import Quantity, array, cells, number, numbers, truth, whole
+from ._arguments import Quantity, array, cells, number, numbers, path, truth, whole
+from ._numbers import Numbers
 from ._solved import Solved
-from ._stribeck import solve_film
+from ._stribeck import solve_bearing, solve_film
 from ._typed import Flow, Forces
 from .errors import StribeckWarning, found, say
 from .scene import Grid
 
-__all__ = ["GivenFilm", "given_film"]
+__all__ = ["GivenFilm", "RigidBearing", "given_film", "rigid_bearing"]
+
+
+class RigidBearing(Numbers):
+    """A journal bearing or a pad of a scene file. ``load`` [N], ``least_film`` [m], ``pressure_max`` [Pa], ``friction_moving`` and
+    ``friction_resting`` [N], ``friction_coefficient``, ``side_flow`` [m^3/s], ``power_loss`` [W], ``eta0`` [Pa s], ``temperature`` [K],
+    ``status``; of a journal ``eccentricity``, ``attitude`` [rad], ``sommerfeld`` and ``force`` [N], towards the widest gap and across."""
+
+    __slots__ = ()
+
+    load: float
+    force: list[float] | None
+    attitude: float | None
+    eccentricity: float | None
+    sommerfeld: float | None
+    least_film: float
+    pressure_max: float
+    friction_moving: float
+    friction_resting: float
+    friction_coefficient: float
+    side_flow: float
+    power_loss: float
+    eta0: float
+    temperature: float
+    status: str
+
+
+def rigid_bearing(scene: str | os.PathLike[str]) -> RigidBearing:
+    """Solves the rigid bearing of a scene file with the table ``[given_film]``; warnings are issued.
+
+    Raises
+    ------
+    SceneError
+        For a scene without this table or with keys that do not fit.
+    """
+    numbers, warnings = solve_bearing(path("scene", scene))
+    say(found(warnings), 2)
+    return RigidBearing(numbers)
 
 
 class GivenFilm(Solved):
     """A film between rigid surfaces. ``load`` [N], ``force.lower`` and ``force.upper`` [N], the shear forces along +x on both
-    surfaces, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
+    surfaces, ``side_flow`` [m^3/s] through the edges across y, ``power_loss`` [W] by friction, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
     and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
 
     __slots__ = ("_rows", "film", "pressure", "theta", "warnings")
 
     load: float
     force: Forces
+    side_flow: float
+    power_loss: float
     flow: Flow
     film: npt.NDArray[np.float64]
     pressure: npt.NDArray[np.float64]

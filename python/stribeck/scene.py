@@ -12,7 +12,7 @@ import numpy.typing as npt
 from ._arguments import Quantity, instance, number, numbers, path, text, truth, whole
 from ._numbers import Numbers, Table
 from ._stribeck import Cells, Scene as _Scene
-from ._typed import Conditions, Expectation, Hertz
+from ._typed import Conditions, Expectation, Hertz, Oil
 from .errors import SceneError, StribeckWarning, found, say
 
 __all__ = ["Grid", "Scene"]
@@ -198,6 +198,21 @@ class Scene:
         numbers, warnings = self._raw.expectation()
         say(found(warnings), 2)
         return cast(Expectation, Numbers(numbers))
+
+    def oil(self) -> Oil | None:
+        """The oil at the bulk temperature: ``eta0`` [Pa s] and ``alpha`` [1/Pa] with ``eta0_source`` and ``alpha_source``, the relative
+        ``alpha_uncertainty`` of a correlated coefficient and the ``film_uncertainty`` by it. None for a dry contact.
+
+        Examples
+        --------
+        >>> import stribeck
+        >>> sheet = {"eta0": None, "roelands_z": None, "grade": "ISO VG 46", "viscosity_index": 95}
+        >>> oil = stribeck.Scene.azam_2019(32).replace(lubricant=sheet, thermal={"bulk_temperature": "40 degC"}).oil()
+        >>> oil and oil.alpha_source
+        'So and Klaus 1980 for mineral oil'
+        """
+        oil = self._raw.oil()
+        return None if oil is None else cast(Oil, Numbers(oil))
 
     def conditions(self, time: Quantity = 0.0) -> Conditions:
         """``load`` [N], ``motion.entrainment_speed`` [m/s], ``motion.slide_roll_ratio`` and ``bulk_temperature`` [K] at ``time`` [s]."""

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import numpy as np
 import pytest
 
 import stribeck
@@ -20,7 +23,24 @@ def test_compressible_oil_has_the_published_peak_of_a_pocket() -> None:
     soft = stribeck.given_film(pocket, grid, **keys, density_a="0.6 1/GPa", density_b=1.7e-9).require_converged()
     # 8.50 MPa, read from a figure
     assert soft.pressure.max() == pytest.approx(8.50e6, rel=0.04)
+    assert soft.power_loss == pytest.approx(-soft.force.lower, rel=1e-12)
     assert stiff.pressure.max() / soft.pressure.max() == pytest.approx(1.048, abs=0.01)
     for name in ("density_a", "density_b"):
         with pytest.raises(stribeck.InputError, match=name):
             stribeck.given_film(pocket, grid, **keys, **{name: -1e-9})
+
+
+def test_rigid_bearing_of_a_scene_is_in_equilibrium_with_its_load() -> None:
+    scenes = Path(__file__).resolve().parents[2] / "examples" / "scenes"
+    journal = stribeck.rigid_bearing(scenes / "journal.toml")
+    assert journal.status == "converged"
+    assert journal.load == pytest.approx(2000.0, rel=1e-5)
+    assert journal.force is not None
+    assert np.hypot(*journal.force) == pytest.approx(journal.load, rel=1e-12)
+    assert journal.power_loss == pytest.approx(journal.friction_moving * np.pi * 50.0 * 0.05, rel=1e-9)
+    with pytest.raises(stribeck.SceneError, match="given_film"):
+        stribeck.rigid_bearing(scenes / "smooth.toml")
+    oil = stribeck.Scene(scenes / "traction.toml").oil()
+    assert oil is not None
+    # alpha to the power 0.5 in a hard contact, to 2/3 in a light one
+    assert 0.45 < oil.film_uncertainty / oil.alpha_uncertainty < 0.72

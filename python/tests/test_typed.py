@@ -12,7 +12,7 @@ import pytest
 
 import stribeck
 from stribeck._numbers import Numbers
-from stribeck._typed import Expectation
+from stribeck._typed import Expectation, Oil
 
 
 def compared(kind: type, table: Any) -> None:
@@ -44,6 +44,7 @@ def test_declared_names_are_those_of_results() -> None:
     compared(stribeck.Body, simulation.bodies[1])
     compared(stribeck.Grid, scene.grid)
     compared(Expectation, scene.expectation())
+    compared(Oil, scene.oil())
     grid = stribeck.Grid.box(20, 1, (0.0, 1e-2), (0.0, 1.0))
     film = stribeck.given_film(lambda x, y: 2e-6 - 1e-4 * x, grid, speeds=(0.02, 0.0), eta0=0.01)
     assert {"load", "force", "flow"} <= set(film)

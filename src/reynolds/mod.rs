@@ -13,7 +13,8 @@
 //! | [`AsperityInlets`] | a dry contact and the inlets of its asperities | estimates of rough mixed contacts |
 //! | [`Auto`] | selects a solver, with fallback | default |
 //!
-//! [`GivenFilm`] solves the Reynolds equation alone, between rigid surfaces with a prescribed film.
+//! [`GivenFilm`] solves the Reynolds equation alone, between rigid surfaces with a prescribed film; [`JournalBearing`] has
+//! such a film, a load vector and an equilibrium.
 
 mod active_set;
 mod asperity_inlets;
@@ -25,6 +26,7 @@ mod evaluation;
 mod flow;
 mod given_film;
 mod inner_nodes;
+mod journal;
 mod multigrid;
 mod newton_krylov;
 mod problem;
@@ -42,6 +44,7 @@ pub use evaluation::Evaluation;
 pub(crate) use flow::require_spin;
 pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearThinning};
 pub use given_film::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
+pub use journal::{JournalBearing, JournalSolution};
 pub use multigrid::Multigrid;
 pub use newton_krylov::{NewtonKrylov, NewtonSettings};
 pub use problem::{ContactDefinition, EdgePressure, LubricatedContact, Squeeze};

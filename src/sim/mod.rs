@@ -18,6 +18,7 @@
 //! | bodies from an earlier run | [`BodyStart`] |
 //! | ensembles of histories | [`ensemble`] |
 //! | error of the mesh | [`ErrorEstimate`] |
+//! | rigid bearings of scene files | `RigidBearing` |
 //!
 //! Errors are [`SimError`]; implausible input that can still be computed is a [`Warning`]. `sim` imports all
 //! other modules, and none of them imports `sim`. All values are in SI units, all fields row-major slices over
@@ -28,6 +29,8 @@ pub mod ensemble;
 mod error;
 mod files;
 mod history;
+#[cfg(feature = "serde")]
+mod rigid_bearing;
 pub mod scene;
 mod single_contact;
 
@@ -38,6 +41,7 @@ pub use contact::numbers::{
     ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, Moes, PlasticNumbers, PressureNumbers,
     RoughnessNumbers, StressNumbers, ThermalNumbers, WearNumbers,
 };
+pub use contact::oil_numbers::OilNumbers;
 pub use contact::solution::ContactSolution;
 pub use contact::warnings::{Warning, given_film_warnings};
 #[cfg(feature = "serde")]
@@ -60,6 +64,8 @@ pub use history::runs::RunEnd;
 pub use history::simulation::MixedLubricationSim;
 pub use history::start::BodyStart;
 pub use history::step_control::StepControl;
+#[cfg(feature = "serde")]
+pub use rigid_bearing::{BearingNumbers, BearingSolution, RigidBearing};
 pub use scene::hertz::HertzContact;
 pub use scene::operating_schedule::Conditions;
 pub use scene::{Scene, Schedule};

@@ -29,6 +29,10 @@ pub enum Dimension {
     Speed,
     /// In Pa s.
     Viscosity,
+    /// In m^2/s: kinematic viscosities.
+    KinematicViscosity,
+    /// In kg/m^3.
+    Density,
     /// In s.
     Time,
     /// In 1/s.
@@ -65,6 +69,8 @@ impl Dimension {
             Self::ForcePerLength => "force per length",
             Self::Speed => "speed",
             Self::Viscosity => "viscosity",
+            Self::KinematicViscosity => "kinematic viscosity",
+            Self::Density => "density",
             Self::Time => "time",
             Self::Rate => "one over time",
             Self::Temperature => "temperature",

@@ -23,8 +23,6 @@ const WEAR_RATES: [(&str, f64); 8] = [
     ("m^2/N", 1.0),
     ("um^2/N", 1e-12),
 ];
-/// Units of kinematic viscosity in addition to those of diffusivity, in m^2/s.
-const STOKES: [(&str, f64); 2] = [("cSt", 1e-6), ("St", 1e-4)];
 
 /// The remedy for a decimal comma.
 pub(super) fn comma(text: &str) -> Option<String> {
@@ -73,19 +71,16 @@ fn wear_rate(number: &str, unit: &str) -> Option<String> {
 
 /// The remedy for a kinematic viscosity in place of a dynamic one.
 fn kinematic_viscosity(number: &str, unit: &str) -> Option<String> {
-    let in_stokes = STOKES.iter().find(|(name, _)| *name == unit).map(|(_, factor)| *factor);
-    let units = Dimension::Diffusivity.units().iter();
-    let factor = in_stokes.or_else(|| {
-        units.filter(|(names, _)| names.contains(&unit)).find_map(|(_, scale)| match *scale {
-            Scale::Ten(power) => Some(10.0_f64.powi(power)),
-            Scale::Times(_) | Scale::Plus(_) => None,
-        })
+    let units = Dimension::KinematicViscosity.units().iter();
+    let factor = units.filter(|(names, _)| names.contains(&unit)).find_map(|(_, scale)| match *scale {
+        Scale::Ten(power) => Some(10.0_f64.powi(power)),
+        Scale::Times(_) | Scale::Plus(_) => None,
     })?;
     let dynamic = 1e3 * OIL_DENSITY * factor * number.parse::<f64>().ok()?;
     let dynamic: f64 = format!("{dynamic:.4e}").parse().ok()?;
     Some(format!(
-        "`{unit}` is a unit of kinematic viscosity, the dynamic viscosity is asked for; multiply by the density: with {OIL_DENSITY} \
-         kg/m^3 it is \"{} mPa s\"",
+        "`{unit}` is a unit of kinematic viscosity, the dynamic viscosity is asked for (scenes take kinematic ones as \
+         lubricant.kinematic); multiply by the density: with {OIL_DENSITY} kg/m^3 it is \"{} mPa s\"",
         format_number(dynamic)
     ))
 }

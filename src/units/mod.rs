@@ -1,7 +1,7 @@
 //! Quantities as text: a number and a unit, `9.525 mm` or `14.9 1/GPa`.
 //!
 //! Scene files and options of the command accept such text for quantities with a [`Dimension`]; all values inside are in
-//! SI units. A power of ten changes the decimal exponent of the text, so that `9.525 mm` and `9.525e-3` are the same
+//! SI units. A speed may be a rate of rotation on a diameter: `1500 rpm on 40 mm`. A power of ten changes the decimal exponent of the text, so that `9.525 mm` and `9.525e-3` are the same
 //! double. A new unit is an entry in `tables`; a new dimension is a variant, its table and its name.
 
 mod dimension;
@@ -45,6 +45,21 @@ impl Dimension {
         };
         if unit.is_empty() {
             return Err(refused(format!("the unit is missing: {}", self.offer())));
+        }
+        if let (Self::Speed, Some(circle)) = (self, unit.strip_prefix("rpm")) {
+            let Some(diameter) = circle.trim().strip_prefix("on ") else {
+                return Err(refused(
+                    "rpm is a rate of rotation, not a speed in m/s; with the diameter of the surface it is one: \"1500 rpm on 40 mm\""
+                        .to_owned(),
+                ));
+            };
+            let diameter = Self::Length.parse(field, diameter)?;
+            InputError::require_positive(field, diameter)?;
+            let turns = number.parse::<f64>().unwrap_or(f64::NAN) / 60.0;
+            let speed = std::f64::consts::PI * diameter * turns;
+            return Some(speed)
+                .filter(|speed| speed.is_finite())
+                .ok_or_else(|| refused("is beyond the range of numbers".into()));
         }
         let plain = plain(unit);
         let known = self.units().iter().find(|(names, _)| names.contains(&plain.as_str()));

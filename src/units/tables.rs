@@ -65,6 +65,20 @@ const VISCOSITY: Units = &[
     (&["cP", "cp"], Ten(-3)),
     (&["P"], Ten(-1)),
 ];
+/// Kinematic viscosities.
+const KINEMATIC_VISCOSITY: Units = &[
+    (&["m^2/s"], Ten(0)),
+    (&["mm^2/s"], Ten(-6)),
+    (&["cSt"], Ten(-6)),
+    (&["cm^2/s"], Ten(-4)),
+    (&["St"], Ten(-4)),
+];
+/// Densities.
+const DENSITY: Units = &[
+    (&["kg/m^3"], Ten(0)),
+    (&["g/cm^3", "kg/l", "kg/L", "g/ml", "g/mL", "kg/dm^3", "t/m^3"], Ten(3)),
+    (&["g/l", "g/L"], Ten(0)),
+];
 /// Times.
 const TIME: Units = &[
     (&["s"], Ten(0)),
@@ -117,6 +131,8 @@ impl Dimension {
             Self::ForcePerLength => FORCE_PER_LENGTH,
             Self::Speed => SPEED,
             Self::Viscosity => VISCOSITY,
+            Self::KinematicViscosity => KINEMATIC_VISCOSITY,
+            Self::Density => DENSITY,
             Self::Time => TIME,
             Self::Rate => RATE,
             Self::Temperature => TEMPERATURE,

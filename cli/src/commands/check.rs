@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use stribeck::InputError;
 use stribeck::sim::scene::{GridSpec, Scene, TrackSpec};
 use stribeck::sim::{
-    Expectation, ExpectedFilm, FormulaFilm, HertzContact, MixedLubricationSim, SimError, Warning,
+    Expectation, ExpectedFilm, FormulaFilm, HertzContact, MixedLubricationSim, OilNumbers, SimError, Warning,
 };
 
 use self::parts::{Part, parts};
@@ -42,6 +42,7 @@ struct Expected {
     refusals: Refusals,
     parts: Vec<Part>,
     hertz: HertzContact,
+    oil: Option<OilNumbers>,
     formula: Option<FormulaFilm>,
     expectation: Expectation,
     /// The grid is picked by the solve.
@@ -97,6 +98,7 @@ impl Expected {
             refusals,
             parts: parts(scene, &sim)?,
             hertz,
+            oil: scene.oil_numbers()?,
             formula: scene.formula_film()?,
             expectation: sim.expectation()?,
             picks_grid,
@@ -147,6 +149,7 @@ impl Expected {
             "refused": { "solve": refused(&self.refusals.solve), "run": refused(&self.refusals.run) },
             "modelled": parts,
             "hertz": hertz,
+            "oil": self.oil,
             "moes": self.formula.map(|formula| formula.moes),
             "regime": film.map(|film| film.map.regime),
             "viscosity_parameter": film.map(|film| film.map.viscosity_parameter),

@@ -2,6 +2,7 @@
 
 mod answers;
 mod disc;
+mod oil;
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -10,6 +11,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use stribeck::sim::{MixedLubricationSim, Scene};
+use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
 
 use self::answers::Answers;
@@ -70,6 +72,18 @@ pub(crate) struct Options {
     /// Pressure-viscosity coefficient of the oil [default: 18 1/GPa]
     #[arg(long, allow_hyphen_values = true, value_name = "ONE OVER PRESSURE")]
     alpha: Option<String>,
+    /// ISO viscosity grade of the oil, "ISO VG 46", in place of --eta0 and --alpha
+    #[arg(long, conflicts_with_all = ["eta0", "alpha"])]
+    grade: Option<String>,
+    /// Viscosity index of the oil of this grade [default: 95]
+    #[arg(long, allow_hyphen_values = true, requires = "grade")]
+    viscosity_index: Option<f64>,
+    /// Temperature of the contact, for the oil of this grade [default: 40 degC]
+    #[arg(
+        long, requires = "grade",
+        value_parser = |text: &str| output::positive(Dimension::Temperature, "--temperature", text)
+    )]
+    temperature: Option<f64>,
     /// Mean speed of the two surfaces [default: 0.5 m/s]
     #[arg(long, allow_hyphen_values = true, value_name = "SPEED")]
     speed: Option<String>,
@@ -192,7 +206,7 @@ fn write(file: &Path, text: &str, force: bool) -> Result<(), String> {
 
 /// The text of the scene file.
 fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>> {
-    let bodies = bodies(answers)?;
+    let bodies = bodies(options, answers)?;
     let trial = Scene::from_toml(&format!("{bodies}{}", grid([1.0; 2], [16; 2])))?;
     let half_width = trial.hertz()?.half_width_x;
     let inlet = half_width * flooded_inlet(&trial, half_width)?;
@@ -234,7 +248,7 @@ fn flooded_inlet(scene: &Scene, half_width: f64) -> Result<f64, InputError> {
 }
 
 /// All of the scene that does not depend on the size of the contact.
-fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
+fn bodies(options: &Options, answers: &Answers) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     let (modulus, ratio) = STEEL;
     writeln!(
@@ -261,15 +275,11 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
     )?;
     writeln!(
         text,
-        "[lubricant] # leave the table out for a dry contact\n\
-         eta0 = {} # viscosity at ambient pressure and the temperature of the contact\n\
-         alpha = {} # pressure-viscosity coefficient\n\
-         roelands_z = 0.68 # how the viscosity bends at high pressure; 0.6 to 0.7 for mineral oils\n\n\
+        "{}\n\
          [friction]\n\
          boundary_coefficient = 0.115 # where solids touch\n\
          eyring_stress = \"5 MPa\" # shear stress from which on the oil thins; leave the line out for a Newtonian oil",
-        answers.eta0.entry(),
-        answers.alpha.entry()
+        oil::tables(options, answers)
     )?;
     Ok(text)
 }

@@ -1,8 +1,10 @@
 //! The subcommands, one a file.
 
 pub(crate) mod check;
+pub(crate) mod completion;
 mod contact_pictures;
 pub(crate) mod curve;
+pub(crate) mod explain;
 pub(crate) mod init;
 pub(crate) mod run;
 pub(crate) mod solve;

@@ -1,17 +1,21 @@
-//! `stribeck solve`: one contact.
+//! `stribeck solve`: one contact, or a rigid bearing.
+
+mod bearing;
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use indicatif::ProgressBar;
+use stribeck::Grid;
 use stribeck::sim::scene::{GridSpec, Scene};
-use stribeck::sim::{ContactSolution, MixedLubricationSim, SimError, write_npz};
+use stribeck::sim::{ContactSolution, MixedLubricationSim, RigidBearing, SimError, write_npz};
 
 use super::contact_pictures::{Seen, maps, profile};
 use crate::output::{self, Held, Outcome, Output};
 use crate::{files, interrupt, picture};
 
+/// A scene with the table `given_film` is a rigid bearing: load, friction, side flow and power.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
@@ -28,6 +32,11 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if let Some(path) = &options.fields {
         output::keep_scene(&options.scene, path)?;
     }
+    if let Some(bearing) = RigidBearing::load(&options.scene)
+        .map_err(|error| output::in_scene(&options.scene, output::plain(error).as_ref()))?
+    {
+        return bearing::run(options, &bearing);
+    }
     let scene = output::load(&options.scene)?;
     claim(options, &scene)?;
     let (held, known) = (Held::default(), scene.warnings());
@@ -38,6 +47,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if refines {
         interrupt::listen("the solve ends here")?;
     }
+    let oil = scene.oil_numbers().ok().flatten();
     let hidden = ProgressBar::hidden();
     let builder = MixedLubricationSim::builder(scene).interrupt(move || {
         held.print(&hidden);
@@ -58,13 +68,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let seconds = start.elapsed().as_secs_f64();
     let mut written = Vec::new();
     if let Some(path) = &options.fields {
-        files::write_with(path, |draft| {
-            let written = write_npz(draft, &solution.grid, &solution.fields());
-            written.map_err(|error| match error {
-                SimError::Io { source, .. } => files::named(path, &source).into(),
-                other => other.into(),
-            })
-        })?;
+        write_fields(path, &solution.grid, &solution.fields())?;
         written.push(path.clone());
     }
     if options.output.plot {
@@ -72,11 +76,20 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     }
     let mut numbers = serde_json::to_value(&solution)?;
     numbers["seconds"] = seconds.into();
+    numbers["oil"] = serde_json::to_value(&oil)?;
     output::warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
     if options.output.json {
         output::print(&numbers)?;
     } else {
-        output::print(&format!("{solution}\ntime       {seconds:.2} s"))?;
+        let scatter = oil.as_ref().filter(|oil| oil.film_uncertainty > 0.0).map_or_else(String::new, |oil| {
+            format!(
+                "\nby alpha   +- {:.0} % of the film: {}, +- {:.0} %",
+                100.0 * oil.film_uncertainty,
+                oil.alpha_source,
+                100.0 * oil.alpha_uncertainty
+            )
+        });
+        output::print(&format!("{solution}{scatter}\ntime       {seconds:.2} s"))?;
     }
     output::report_files(&written, options.output.json)?;
     Ok(solution.report.status.into())
@@ -116,6 +129,16 @@ fn claim(options: &Options, scene: &Scene) -> Result<(), String> {
         files::claim(&targets, force, output::OTHER_FOLDER)?;
     }
     Ok(())
+}
+
+/// Writes the `fields` on `grid` as a NumPy archive.
+fn write_fields(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> Result<(), Box<dyn Error>> {
+    files::write_with(path, |draft| {
+        write_npz(draft, grid, fields).map_err(|error| match error {
+            SimError::Io { source, .. } => files::named(path, &source).into(),
+            other => other.into(),
+        })
+    })
 }
 
 fn pictures(options: &Options, solution: &ContactSolution) -> Result<Vec<PathBuf>, Box<dyn Error>> {

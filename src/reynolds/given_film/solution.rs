@@ -43,6 +43,10 @@ pub struct GivenFilmSolution {
     /// Shear force of the fluid on the lower and on the upper surface along +x \[N\], `S - P` and `-S - P`, with
     /// the integrals `S` of `theta eta (u_2 - u_1)/h` and `P` of `h/2 dp/dx`.
     pub friction: [f64; 2],
+    /// Flow out through both edges across y, less the flow in \[m^3/s at the density of zero pressure\].
+    pub side_flow: f64,
+    /// Power of both surfaces against friction \[W\]: less the sum of forces times speeds.
+    pub power_loss: f64,
     /// Flow into and out of the box \[m^3/s at the density of zero pressure\]; the imbalance is at most 1e-10
     /// if the solve converged.
     pub flow: FlowBalance,
@@ -130,6 +134,8 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
         theta: vec![1.0; grid.len()],
         load: pressure * grid.size_x() * grid.size_y(),
         friction: [drag, -drag],
+        side_flow: 0.0,
+        power_loss: drag * (problem.speeds[1] - problem.speeds[0]),
         flow: FlowBalance::default(),
         coarse_steps: 0,
         report: report(Status::Converged, 0.0, 0, 0),
@@ -146,12 +152,17 @@ fn moving(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilmS
     let Solved { balance, unknowns, status, residual, boundary_flux, steps, substitutions, coarse_steps } =
         solved;
     let unit = speed * grid.dy();
+    let sides =
+        (0..grid.nx()).map(|i| balance.flow_across(i, grid.ny()).value - balance.flow_across(i, 0).value);
     let sum = |of: fn(&Row) -> f64| rows.iter().map(of).sum::<f64>() * grid.dy();
+    let friction = [sum(|row| row.friction[0]), sum(|row| row.friction[1])];
     GivenFilmSolution {
         pressure: (0..).zip(&unknowns).map(|(k, &s)| balance.pressure(k, s)).collect(),
         theta: unknowns.iter().map(|&s| 1.0 + s.min(0.0)).collect(),
         load: sum(Row::load),
-        friction: [sum(|row| row.friction[0]), sum(|row| row.friction[1])],
+        friction,
+        side_flow: sides.sum::<f64>() * unit,
+        power_loss: -friction.iter().zip(problem.speeds).map(|(force, speed)| force * speed).sum::<f64>(),
         flow: FlowBalance {
             inflow: boundary_flux.inflow * unit,
             outflow: boundary_flux.outflow * unit,

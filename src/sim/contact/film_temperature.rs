@@ -19,8 +19,8 @@ pub(in crate::sim) fn validate_film_temperature(
         Some(law) if asked && law.viscosity_at(0.0, scene.thermal.bulk_temperature).is_none() => {
             Err(InputError::Conflict {
                 field: "lubricant.thermal".to_owned(),
-                reason: "the viscosity does not know temperature: give lubricant.temperature and lubricant.roelands_s0, or \
-                         another law as lubricant.viscosity"
+                reason: "the viscosity does not know temperature: give lubricant.temperature and lubricant.roelands_s0, an oil by \
+                         lubricant.grade or lubricant.kinematic, or another law as lubricant.viscosity"
                     .to_owned(),
             })
         }

@@ -26,6 +26,7 @@ pub(in crate::sim) mod mixing;
 pub(in crate::sim) mod model;
 pub(in crate::sim) mod numbers;
 pub(in crate::sim) mod oil;
+pub(in crate::sim) mod oil_numbers;
 pub(in crate::sim) mod outer_rows;
 pub(in crate::sim) mod per_body;
 pub(in crate::sim) mod setup;

@@ -2,10 +2,10 @@
 
 use crate::error::InputError;
 use crate::lubricant::{
-    Barus, DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Roelands, ThermalRoelands,
-    ViscosityLaw,
+    Barus, DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Oil, PressureViscosity, Roelands,
+    ThermalRoelands, ViscosityLaw,
 };
-use crate::sim::scene::{LubricantSpec, Scene, ViscositySpec};
+use crate::sim::scene::{LubricantSpec, OilSpec, Scene, ViscositySpec};
 
 /// The viscosity law of the scene at `temperature` \[K\].
 pub(in crate::sim) fn viscosity(
@@ -22,6 +22,9 @@ pub(in crate::sim) fn viscosity_law(
     spec: &LubricantSpec,
     temperature: f64,
 ) -> Result<Box<dyn ViscosityLaw>, InputError> {
+    if let Some(oil) = spec.oil {
+        return Ok(Box::new(data_sheet_law(spec, &oil, temperature)?));
+    }
     Ok(match spec.viscosity {
         Some(ViscositySpec::Barus(constants)) => {
             let law = Barus::new(constants.eta0, constants.alpha);
@@ -48,6 +51,23 @@ pub(in crate::sim) fn viscosity_law(
     })
 }
 
+/// The oil by its data sheet at `temperature` \[K\].
+fn data_sheet_law(spec: &LubricantSpec, oil: &OilSpec, temperature: f64) -> Result<Oil, InputError> {
+    let pressure = match (spec.alpha, spec.temperature) {
+        (None, None) => PressureViscosity::Correlation(oil.base_oil),
+        (Some(alpha), at) => PressureViscosity::Measured { alpha, temperature: at.unwrap_or(temperature) },
+        (None, Some(at)) => {
+            return Err(InputError::Conflict {
+                field: format!("lubricant.temperature = {at}"),
+                reason: "is the temperature of lubricant.alpha, which is missing; the temperature of the contact is \
+                         thermal.bulk_temperature"
+                    .to_owned(),
+            });
+        }
+    };
+    Oil::new(oil.walther()?, oil.density_at_15(), pressure, temperature)
+}
+
 /// Roelands' law by its index or its slope.
 fn roelands(spec: &LubricantSpec) -> Result<Roelands, InputError> {
     match spec.alpha {
@@ -62,9 +82,17 @@ pub(in crate::sim) fn density(
     temperature: f64,
 ) -> Result<Option<Box<dyn DensityLaw>>, InputError> {
     let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
+    density_law(&spec, temperature).map(Some)
+}
+
+/// The density law at `temperature` \[K\].
+pub(in crate::sim) fn density_law(
+    spec: &LubricantSpec,
+    temperature: f64,
+) -> Result<Box<dyn DensityLaw>, InputError> {
     let law: Box<dyn DensityLaw> = match spec.viscosity {
         Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
         _ => Box::new(DowsonHigginson::new(spec.density_a, spec.density_b)?),
     };
-    Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
+    Ok(law.at_temperature(temperature).unwrap_or(law))
 }

@@ -1,6 +1,8 @@
 //! Elastic constants of the pair, of a layer on the disc and of tribofilms.
 
 use super::Scene;
+#[cfg(feature = "serde")]
+use super::{NamedMaterial, tables::required};
 use crate::elastic::{BondedFilm, Layer};
 use crate::error::InputError;
 use crate::with_fields::with_fields;
@@ -76,7 +78,7 @@ const USUAL_POISSON: f64 = 0.3;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "LayerTable"))]
 #[non_exhaustive]
 pub struct LayerSpec {
     /// Thickness \[m\].
@@ -86,10 +88,10 @@ pub struct LayerSpec {
     /// Poisson's ratio.
     pub poisson: f64,
     /// Young's modulus of the substrate \[Pa\]; `None` for that of `materials.disc`.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub substrate_modulus: Option<f64>,
     /// Poisson's ratio of the substrate; `None` for that of `materials.disc`.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub substrate_poisson: Option<f64>,
 }
 
@@ -107,6 +109,36 @@ with_fields!(LayerSpec {
     with_substrate_modulus substrate_modulus: Option<f64>,
     with_substrate_poisson substrate_poisson: Option<f64>,
 });
+
+/// `[elastic.layer]` as written in a scene file.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LayerTable {
+    thickness: f64,
+    material: Option<NamedMaterial>,
+    modulus: Option<f64>,
+    poisson: Option<f64>,
+    substrate_modulus: Option<f64>,
+    substrate_poisson: Option<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<LayerTable> for LayerSpec {
+    type Error = String;
+
+    fn try_from(table: LayerTable) -> Result<Self, String> {
+        let modulus = table.modulus.or(table.material.map(NamedMaterial::modulus));
+        let poisson = table.poisson.or(table.material.map(NamedMaterial::poisson));
+        Ok(Self {
+            thickness: table.thickness,
+            modulus: required("modulus", modulus)?,
+            poisson: required("poisson", poisson)?,
+            substrate_modulus: table.substrate_modulus,
+            substrate_poisson: table.substrate_poisson,
+        })
+    }
+}
 
 /// `[elastic]` as written in a scene file.
 #[cfg(feature = "serde")]

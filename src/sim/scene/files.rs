@@ -5,7 +5,7 @@
 
 use std::path::Path;
 
-use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use toml::de::DeTable;
 
 use super::{Roughness, Scene, keys, missing};
@@ -25,23 +25,7 @@ impl Scene {
     /// [`SimError::Scene`] with key and line for a value that does not fit, [`SimError::Input`] for a quantity
     /// of another dimension than its key.
     pub fn from_toml(text: &str) -> Result<Self, SimError> {
-        let scene = |reason| SimError::Scene { reason };
-        let root = DeTable::parse(text).map_err(|error| {
-            let line = text.lines().nth(line_of(text, &error)).unwrap_or_default().trim();
-            let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
-            let hint = toml_line(line).map_or_else(String::new, |hint| format!("; {hint}"));
-            scene(format!("{} in `{shown}`{hint}", in_one_line(text, error)))
-        })?;
-        let text = keys::in_si_units(text, root.get_ref())?;
-        let tree = toml::Deserializer::parse(&text).map_err(|error| scene(in_one_line(&text, error)))?;
-        Self::deserialize(tree).map_err(|error| {
-            let message = in_one_line(&text, error);
-            let absent = match text.parse() {
-                Ok(table) if message.contains("missing key") => missing::keys(&table),
-                _ => Vec::new(),
-            };
-            scene(if absent.len() > 1 { format!("missing keys: `{}`", absent.join("`, `")) } else { message })
-        })
+        read_tables(text, missing::keys)
     }
 
     /// The scene as TOML text.
@@ -71,14 +55,39 @@ impl Scene {
     }
 }
 
+/// Reads tables from TOML text in three stages. `missing` lists all missing keys of the tables.
+pub(in crate::sim) fn read_tables<T: DeserializeOwned>(
+    text: &str,
+    missing: impl Fn(&toml::Table) -> Vec<String>,
+) -> Result<T, SimError> {
+    let scene = |reason| SimError::Scene { reason };
+    let root = DeTable::parse(text).map_err(|error| {
+        let line = text.lines().nth(line_of(text, &error)).unwrap_or_default().trim();
+        let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
+        let hint = toml_line(line).map_or_else(String::new, |hint| format!("; {hint}"));
+        scene(format!("{} in `{shown}`{hint}", in_one_line(text, error)))
+    })?;
+    let text = keys::in_si_units(text, root.get_ref())?;
+    let tree = toml::Deserializer::parse(&text).map_err(|error| scene(in_one_line(&text, error)))?;
+    T::deserialize(tree).map_err(|error| {
+        let message = in_one_line(&text, error);
+        let absent = match text.parse() {
+            Ok(table) if message.contains("missing key") => missing(&table),
+            _ => Vec::new(),
+        };
+        scene(if absent.len() > 1 { format!("missing keys: `{}`", absent.join("`, `")) } else { message })
+    })
+}
+
 /// Terms of the parser and their replacements for readers of scene files.
-const WORDS: [(&str, &str); 23] = [
+const WORDS: [(&str, &str); 24] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number from 0"),
     ("expected u64", "expected a whole number from 0"),
     ("expected a boolean", "expected true or false"),
     ("expected a sequence", "expected a list"),
     ("expected path string", "expected text"),
+    ("expected a string", "expected text"),
     ("wanted string or table", "expected text"),
     ("invalid type: sequence", "a list"),
     ("invalid type: boolean ", ""),

@@ -11,15 +11,19 @@ use toml::de::{DeTable, DeValue};
 use crate::error::InputError;
 use crate::units::Dimension;
 use Dimension::{
-    Angle, Conductivity, Diffusivity, Energy, Force, ForcePerLength, HeatCapacity, InversePressure, Length,
-    Pressure, PressurePerLength, Rate, Ratio, Speed, Temperature, Time, Viscosity, Volume, VolumePerEnergy,
+    Angle, Conductivity, Density, Diffusivity, Energy, Force, ForcePerLength, HeatCapacity, InversePressure,
+    Length, Pressure, PressurePerLength, Rate, Ratio, Speed, Temperature, Time, Viscosity, Volume,
+    VolumePerEnergy,
 };
 
 /// All keys with a dimension; `*` matches the name of a body. Loads of a line contact are per length.
-const KEYS: &[(&str, Dimension)] = &[
+pub(super) const KEYS: &[(&str, Dimension)] = &[
     ("form.radius", Length),
     ("form.radius_x", Length),
     ("form.radius_y", Length),
+    ("form.radii", Length),
+    ("form.radii_x", Length),
+    ("form.radii_y", Length),
     ("form.angle", Angle),
     ("elastic.equivalent_modulus", Pressure),
     ("elastic.layer.thickness", Length),
@@ -33,12 +37,15 @@ const KEYS: &[(&str, Dimension)] = &[
     ("load.hertz_pressure", Pressure),
     ("load.force", Force),
     ("motion.entrainment_speed", Speed),
+    ("motion.ball_speed", Speed),
+    ("motion.disc_speed", Speed),
     ("motion.spin_radius", Length),
     ("motion.slide_roll_ratio", Ratio),
     ("lubricant.eta0", Viscosity),
     ("lubricant.roelands_p0", Pressure),
     ("lubricant.temperature", Temperature),
     ("lubricant.alpha", InversePressure),
+    ("lubricant.density", Density),
     ("lubricant.formula_alpha", InversePressure),
     ("lubricant.density_a", InversePressure),
     ("lubricant.density_b", InversePressure),
@@ -54,6 +61,16 @@ const KEYS: &[(&str, Dimension)] = &[
     ("lubricant.viscosity.glass_temperature", Temperature),
     ("lubricant.viscosity.a2", InversePressure),
     ("lubricant.viscosity.b1", InversePressure),
+    ("given_film.diameter", Length),
+    ("given_film.width", Length),
+    ("given_film.clearance", Length),
+    ("given_film.eccentricity", Ratio),
+    ("given_film.load", Force),
+    ("given_film.length", Length),
+    ("given_film.inlet_film", Length),
+    ("given_film.outlet_film", Length),
+    ("given_film.step", Length),
+    ("given_film.speed", Speed),
     ("grid.x", Length),
     ("grid.y", Length),
     ("grid.accuracy", Ratio),

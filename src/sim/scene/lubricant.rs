@@ -1,10 +1,13 @@
 //! The lubricant: viscosity, density and supply.
 
+use super::OilSpec;
+#[cfg(feature = "serde")]
+use super::lubricant_table::LubricantTable;
 use crate::lubricant::{DoolittleTaitConstants, ImprovedYasutomiConstants};
 use crate::thermal::FilmThermal;
 use crate::with_fields::with_fields;
 
-/// Viscosity by the law of Roelands, unless `viscosity` names another one, and Dowson-Higginson density.
+/// Viscosity by the law of Roelands, unless `oil` or `viscosity` gives another one, and Dowson-Higginson density.
 ///
 /// # Examples
 ///
@@ -27,9 +30,9 @@ use crate::with_fields::with_fields;
 #[non_exhaustive]
 pub struct LubricantSpec {
     /// Viscosity at ambient pressure \[Pa s\], at `temperature` or else the bulk temperature; zero if `viscosity`
-    /// is given.
+    /// or `oil` is given.
     pub eta0: f64,
-    /// Roelands index; zero if `viscosity` is given.
+    /// Roelands index; zero if `viscosity` or `oil` is given.
     pub roelands_z: f64,
     /// Roelands reference pressure \[Pa\].
     pub roelands_p0: f64,
@@ -48,6 +51,10 @@ pub struct LubricantSpec {
     /// Another viscosity law in place of that of Roelands.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub viscosity: Option<ViscositySpec>,
+    /// The oil by its data sheet, at the bulk temperature, in place of `eta0` and the index of Roelands. `alpha`, if
+    /// given, holds at `temperature` or else at the bulk temperature.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub oil: Option<OilSpec>,
     /// Pressure-viscosity coefficient \[1/Pa\] for film formulas only, if the data sheet states another one than
     /// the slope of the viscosity law. Default: that slope.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -81,6 +88,7 @@ impl LubricantSpec {
             temperature: None,
             roelands_s0: None,
             viscosity: None,
+            oil: None,
             formula_alpha: None,
             density_a: 0.6e-9,
             density_b: 1.7e-9,
@@ -88,6 +96,26 @@ impl LubricantSpec {
             inlet: InletSpec::Flooded,
             thermal: None,
         }
+    }
+
+    /// An oil by its data sheet. All other fields have the defaults of scene files.
+    ///
+    /// ```
+    /// use stribeck::sim::Scene;
+    /// use stribeck::sim::scene::{LubricantSpec, OilSpec};
+    /// let mut scene = Scene::azam_2019(32);
+    /// let film = |scene: &Scene| scene.formula_film().map(|film| film.map_or(0.0, |film| film.central));
+    /// scene.lubricant = Some(LubricantSpec::of_oil(OilSpec::iso_vg(46, 95.0)));
+    /// scene.thermal.bulk_temperature = 313.15;
+    /// let warm = film(&scene)?;
+    /// scene.thermal.bulk_temperature = 373.15;
+    /// assert!(warm > 3.0 * film(&scene)?); // viscosity and its rise with pressure both fall
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    pub const fn of_oil(oil: OilSpec) -> Self {
+        let mut spec = Self::roelands(0.0, 0.0);
+        spec.oil = Some(oil);
+        spec
     }
 }
 
@@ -99,6 +127,7 @@ with_fields!(LubricantSpec {
     with_temperature temperature: Option<f64>,
     with_roelands_s0 roelands_s0: Option<f64>,
     with_viscosity viscosity: Option<ViscositySpec>,
+    with_oil oil: Option<OilSpec>,
     with_formula_alpha formula_alpha: Option<f64>,
     with_density_a density_a: f64,
     with_density_b density_b: f64,
@@ -173,76 +202,4 @@ pub struct BarusConstants {
     pub eta0: f64,
     /// Pressure-viscosity coefficient \[1/Pa\].
     pub alpha: f64,
-}
-
-/// `[lubricant]` as written in a scene file.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LubricantTable {
-    eta0: Option<f64>,
-    roelands_z: Option<f64>,
-    roelands_p0: Option<f64>,
-    alpha: Option<f64>,
-    temperature: Option<f64>,
-    roelands_s0: Option<f64>,
-    viscosity: Option<ViscositySpec>,
-    formula_alpha: Option<f64>,
-    density_a: Option<f64>,
-    density_b: Option<f64>,
-    supplied_film: Option<f64>,
-    #[serde(default)]
-    inlet: InletSpec,
-    thermal: Option<FilmThermal>,
-}
-
-#[cfg(feature = "serde")]
-impl TryFrom<LubricantTable> for LubricantSpec {
-    type Error = String;
-
-    fn try_from(table: LubricantTable) -> Result<Self, String> {
-        let needed = |key: &str, value: Option<f64>| match (value, table.viscosity) {
-            (Some(value), _) => Ok(value),
-            (None, Some(_)) => Ok(0.0),
-            (None, None) => Err(format!("missing field `{key}`")),
-        };
-        let usual = Self::roelands(needed("eta0", table.eta0)?, needed("roelands_z", table.roelands_z)?);
-        let of_roelands = [
-            ("eta0", table.eta0, 0.0),
-            ("roelands_z", table.roelands_z, 0.0),
-            ("alpha", table.alpha, 0.0),
-            ("temperature", table.temperature, 0.0),
-            ("roelands_s0", table.roelands_s0, 0.0),
-            ("roelands_p0", table.roelands_p0, usual.roelands_p0),
-        ];
-        let of_density = [
-            ("density_a", table.density_a, usual.density_a),
-            ("density_b", table.density_b, usual.density_b),
-        ];
-        // Scenes are written with all their values: accept default values.
-        let refuse = |keys: &[(&str, Option<f64>, f64)], reason: &str| {
-            let stray = keys.iter().find(|(_, value, usual)| value.is_some_and(|value| value - usual != 0.0));
-            stray.map_or(Ok(()), |(key, ..)| Err(format!("unknown key `{key}`, `viscosity` {reason}")))
-        };
-        if table.viscosity.is_some() {
-            refuse(&of_roelands, "gives another law than that of Roelands")?;
-        }
-        if matches!(table.viscosity, Some(ViscositySpec::DoolittleTait(_))) {
-            refuse(&of_density, "brings the density of Tait")?;
-        }
-        Ok(Self {
-            roelands_p0: table.roelands_p0.unwrap_or(usual.roelands_p0),
-            alpha: table.alpha,
-            temperature: table.temperature,
-            roelands_s0: table.roelands_s0,
-            viscosity: table.viscosity,
-            formula_alpha: table.formula_alpha,
-            density_a: table.density_a.unwrap_or(usual.density_a),
-            density_b: table.density_b.unwrap_or(usual.density_b),
-            supplied_film: table.supplied_film,
-            inlet: table.inlet,
-            thermal: table.thermal,
-            ..usual
-        })
-    }
 }

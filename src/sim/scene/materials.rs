@@ -1,6 +1,6 @@
 //! Materials of the two bodies.
 
-use super::Scene;
+use super::{NamedMaterial, Scene};
 use crate::error::InputError;
 use crate::tribochem::ThermalBody;
 use crate::with_fields::with_fields;
@@ -69,54 +69,6 @@ with_fields!(Material {
     with_conductivity conductivity: Option<f64>,
     with_diffusivity diffusivity: Option<f64>,
 });
-
-/// Materials with known elastic constants.
-///
-/// Source: ISO 6336-2, Calculation of load capacity of spur and helical gears, elasticity factors of pairs of
-/// materials.
-///
-/// # Examples
-///
-/// ```
-/// use stribeck::sim::Scene;
-/// use stribeck::sim::scene::{Elastic, NamedMaterial};
-/// let mut scene = Scene::azam_2019(32);
-/// scene.elastic = Elastic::default(); // use the moduli of the materials
-/// scene.materials.ball.material = Some(NamedMaterial::Steel);
-/// scene.materials.disc.material = Some(NamedMaterial::Steel);
-/// assert!((scene.equivalent_modulus()? / (206e9 / 0.91) - 1.0).abs() < 1e-12);
-/// # Ok::<(), stribeck::InputError>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-#[non_exhaustive]
-pub enum NamedMaterial {
-    /// Steel: 206 GPa.
-    Steel,
-    /// Cast steel: 202 GPa.
-    CastSteel,
-    /// Nodular cast iron: 173 GPa.
-    NodularCastIron,
-    /// Grey cast iron: 118 GPa, the lower end of its range.
-    GreyCastIron,
-}
-
-impl NamedMaterial {
-    /// Young's modulus \[Pa\].
-    pub fn modulus(self) -> f64 {
-        match self {
-            Self::Steel => 206e9,
-            Self::CastSteel => 202e9,
-            Self::NodularCastIron => 173e9,
-            Self::GreyCastIron => 118e9,
-        }
-    }
-
-    /// Poisson's ratio, 0.3 for all.
-    pub fn poisson(self) -> f64 {
-        0.3
-    }
-}
 
 impl Material {
     /// Young's modulus \[Pa\]: the given one, or that of the named material.

@@ -36,23 +36,40 @@ impl<'a> Search<'a> {
     /// Form and elastic bodies.
     fn bodies(&mut self) {
         let ellipsoid = self.text("form", "kind") == Some("ellipsoid");
-        self.look("form", if ellipsoid { &["kind", "radius_x", "radius_y"] } else { &["kind", "radius"] });
+        let sections: &[(&'static str, &str)] = if ellipsoid {
+            &[("radius_x", "radii_x"), ("radius_y", "radii_y")]
+        } else {
+            &[("radius", "radii")]
+        };
+        let mut keys = vec!["kind"];
+        keys.extend(sections.iter().filter(|(_, radii)| !self.has("form", radii)).map(|(radius, _)| *radius));
+        self.look("form", &keys);
         // Materials may give the modulus; a layer needs either.
         if !self.scene.contains_key("materials") {
             self.look("elastic", &["equivalent_modulus"]);
         }
-        self.look("elastic.layer", &["thickness", "modulus", "poisson"]);
+        let layer: &[&str] = if self.has("elastic.layer", "material") {
+            &["thickness"]
+        } else {
+            &["thickness", "modulus", "poisson"]
+        };
+        self.look("elastic.layer", layer);
     }
 
     /// Load, motion and oil.
     fn conditions(&mut self) {
         let loaded = self.has("load", "hertz_pressure") || self.has("schedule", "load");
         self.look("load", if loaded { &[] } else { &["force"] });
-        if self.scene.contains_key("lubricant") && !self.has("schedule", "entrainment_speed") {
+        let speeds = ["ball_speed", "disc_speed"].into_iter().any(|key| self.has("motion", key));
+        if self.scene.contains_key("lubricant") && !speeds && !self.has("schedule", "entrainment_speed") {
             self.look("motion", &["entrainment_speed"]);
         }
         let law = self.text("lubricant.viscosity", "law");
+        let by_data_sheet = ["grade", "kinematic", "viscosity_index", "density", "base_oil"]
+            .into_iter()
+            .any(|key| self.has("lubricant", key));
         match (self.table("lubricant.viscosity"), law) {
+            (None, _) if by_data_sheet => {}
             (None, _) => self.look("lubricant", &["eta0", "roelands_z"]),
             (_, Some("barus")) => self.look("lubricant.viscosity", &["eta0", "alpha"]),
             (_, Some("doolittle_tait")) => self.look("lubricant.viscosity", &DOOLITTLE_TAIT),

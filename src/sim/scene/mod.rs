@@ -8,17 +8,27 @@
 
 mod elastic;
 #[cfg(feature = "serde")]
+mod explain;
+#[cfg(feature = "serde")]
 mod files;
+#[cfg(feature = "serde")]
+mod given_film;
 mod grid;
 pub(in crate::sim) mod hertz;
 #[cfg(feature = "serde")]
 mod keys;
 mod load;
 mod lubricant;
+#[cfg(feature = "serde")]
+mod lubricant_table;
 mod materials;
 #[cfg(feature = "serde")]
 mod missing;
 mod motion;
+mod named_material;
+mod oil;
+#[cfg(feature = "serde")]
+mod oil_keys;
 pub(in crate::sim) mod operating_schedule;
 mod processes;
 mod roughness;
@@ -35,12 +45,22 @@ mod tribofilm;
 mod wear;
 
 pub use elastic::{Elastic, FilmElasticSpec, LayerSpec};
+#[cfg(feature = "serde")]
+pub use explain::explain;
+#[cfg(feature = "serde")]
+pub(in crate::sim) use files::read_tables;
+#[cfg(feature = "serde")]
+pub(in crate::sim) use given_film::BearingFile;
+#[cfg(feature = "serde")]
+pub use given_film::{BearingSpec, JournalPosition};
 pub use grid::GridSpec;
 pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};
 pub(in crate::sim) use materials::BODIES;
-pub use materials::{Material, Materials, NamedMaterial};
+pub use materials::{Material, Materials};
 pub use motion::Motion;
+pub use named_material::NamedMaterial;
+pub use oil::{KinematicPoint, OilSpec};
 pub use processes::{Flash, FlowThinning, FrictionSpec, PlasticSpec, ThermalSpec};
 pub(in crate::sim) use roughness::ShortestWaves;
 pub use roughness::{FileRoughness, Roughness, RoughnessPair};
@@ -157,6 +177,7 @@ impl Scene {
                 temperature: None,
                 roelands_s0: None,
                 viscosity: None,
+                oil: None,
                 formula_alpha: Some(1.494e-8),
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,

@@ -14,11 +14,7 @@
 /// assert!((motion.sliding_speed() - 0.05).abs() < 1e-15);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "MotionTable"))]
 #[non_exhaustive]
 pub struct Motion {
     /// Mean of the two surface speeds \[m/s\].
@@ -46,5 +42,51 @@ impl Motion {
     pub fn surface_speeds(&self) -> [f64; 2] {
         let half = 0.5 * self.slide_roll_ratio;
         [self.entrainment_speed * (1.0 + half), self.entrainment_speed * (1.0 - half)]
+    }
+}
+
+/// `[motion]` as written in a scene file.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MotionTable {
+    entrainment_speed: Option<f64>,
+    slide_roll_ratio: Option<f64>,
+    ball_speed: Option<f64>,
+    disc_speed: Option<f64>,
+    spin_radius: Option<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<MotionTable> for Motion {
+    type Error = String;
+
+    fn try_from(table: MotionTable) -> Result<Self, String> {
+        let MotionTable { entrainment_speed, slide_roll_ratio, ball_speed, disc_speed, spin_radius } = table;
+        let given = |speed: Option<f64>, ratio: Option<f64>| Self {
+            entrainment_speed: speed.unwrap_or_default(),
+            slide_roll_ratio: ratio.unwrap_or_default(),
+            spin_radius,
+        };
+        let (ball, disc) = match (ball_speed, disc_speed) {
+            (None, None) => return Ok(given(entrainment_speed, slide_roll_ratio)),
+            (Some(ball), Some(disc)) => (ball, disc),
+            (Some(_), None) => return Err("missing field `disc_speed`, it goes with `ball_speed`".to_owned()),
+            (None, Some(_)) => return Err("missing field `ball_speed`, it goes with `disc_speed`".to_owned()),
+        };
+        if entrainment_speed.is_some() || slide_roll_ratio.is_some() {
+            return Err("`ball_speed` and `disc_speed` replace `entrainment_speed` and `slide_roll_ratio`; give one pair"
+                .to_owned());
+        }
+        let mean = 0.5 * ball + 0.5 * disc;
+        let sliding = ball - disc;
+        if sliding.abs() > 0.0 && mean.abs() <= f64::EPSILON * ball.abs() {
+            return Err(format!(
+                "`ball_speed` = {ball} m/s and `disc_speed` = {disc} m/s have the mean 0: no oil is entrained, and there \
+                 is no slide-roll ratio"
+            ));
+        }
+        let ratio = if sliding.abs() > 0.0 { sliding / mean } else { 0.0 };
+        Ok(given(Some(mean), Some(ratio)))
     }
 }

@@ -45,6 +45,12 @@ keyed! {
         radius_x: f64,
         /// Radius of an ellipsoid along its second axis \[m\].
         radius_y: f64,
+        /// Radii of both bodies in place of `radius` \[m\]; that of a concave body is negative.
+        radii: Vec<f64>,
+        /// The same in place of `radius_x`.
+        radii_x: Vec<f64>,
+        /// The same in place of `radius_y`.
+        radii_y: Vec<f64>,
         /// Angle from x to the first axis \[rad\].
         angle: f64,
     }
@@ -63,23 +69,50 @@ enum FormKind {
 pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
     let table = FormTable::deserialize(deserializer)?;
     match table.kind {
-        FormKind::Sphere => table
-            .reject_unknown_fields("kind = \"sphere\"", &["radius"])
-            .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
-        FormKind::Cylinder => table
-            .reject_unknown_fields("kind = \"cylinder\"", &["radius"])
-            .and_then(|()| Ok(Form::Cylinder { radius: required("radius", table.radius)? })),
+        FormKind::Sphere => {
+            table.reject_unknown_fields("kind = \"sphere\"", &["radius", "radii"]).and_then(|()| {
+                Ok(Form::Sphere { radius: radius("radius", table.radius, "radii", table.radii)? })
+            })
+        }
+        FormKind::Cylinder => {
+            table.reject_unknown_fields("kind = \"cylinder\"", &["radius", "radii"]).and_then(|()| {
+                Ok(Form::Cylinder { radius: radius("radius", table.radius, "radii", table.radii)? })
+            })
+        }
         FormKind::Ellipsoid => table
-            .reject_unknown_fields("kind = \"ellipsoid\"", &["radius_x", "radius_y", "angle"])
+            .reject_unknown_fields(
+                "kind = \"ellipsoid\"",
+                &["radius_x", "radius_y", "radii_x", "radii_y", "angle"],
+            )
             .and_then(|()| {
                 Ok(Form::Ellipsoid {
-                    radius_x: required("radius_x", table.radius_x)?,
-                    radius_y: required("radius_y", table.radius_y)?,
+                    radius_x: radius("radius_x", table.radius_x, "radii_x", table.radii_x)?,
+                    radius_y: radius("radius_y", table.radius_y, "radii_y", table.radii_y)?,
                     angle: table.angle.unwrap_or_default(),
                 })
             }),
     }
     .map_err(D::Error::custom)
+}
+
+/// The radius of a section: as given, or of a flat against which the gap is that between both bodies,
+/// `1/R = 1/R_1 + 1/R_2`.
+fn radius(key: &str, given: Option<f64>, pair_key: &str, pair: Option<Vec<f64>>) -> Result<f64, String> {
+    let Some(pair) = pair else { return required(key, given) };
+    if given.is_some() {
+        return Err(format!("`{pair_key}` replaces `{key}`; give only one"));
+    }
+    let [first, second] = *pair.as_slice() else {
+        return Err(format!("`{pair_key}` has {} values, expected the radii of both bodies", pair.len()));
+    };
+    let curvature = 1.0 / first + 1.0 / second;
+    if first == 0.0 || second == 0.0 || !(curvature > 0.0 && curvature.is_finite()) {
+        return Err(format!(
+            "`{pair_key}` = [{first:e}, {second:e}] m: 1/{first:e} + 1/{second:e} must be above 0; a concave body has a \
+             negative radius that is larger than that of the body in it"
+        ));
+    }
+    Ok(1.0 / curvature)
 }
 
 /// `[grid]` as written.

@@ -14,10 +14,11 @@ const SPREAD: f64 = 0.2;
 const BOUNDARY: f64 = 0.8;
 
 impl Expected {
-    /// At most 25 lines, in the units of engineers.
+    /// At most 27 lines, in the units of engineers.
     pub(super) fn to_text(&self) -> String {
         let hertz = &self.hertz;
         let mut lines = self.film_lines();
+        lines.extend(self.oil_lines());
         let half_width = 1e6 * hertz.half_width_x;
         let size = if self.sim.scene().form.is_line() {
             format!("{:.4e} N/m, half-width {half_width:.1} um", hertz.force)
@@ -104,6 +105,29 @@ impl Expected {
             lines.push(text.to_owned());
         }
         lines
+    }
+
+    /// Viscosity and pressure-viscosity coefficient at the temperature of the contact, with their sources.
+    fn oil_lines(&self) -> Vec<String> {
+        let Some(oil) = &self.oil else { return Vec::new() };
+        let scatter = if oil.alpha_uncertainty > 0.0 {
+            format!(
+                ", +- {:.0} %, which is +- {:.0} % of the film",
+                100.0 * oil.alpha_uncertainty,
+                100.0 * oil.film_uncertainty
+            )
+        } else {
+            String::new()
+        };
+        vec![
+            format!(
+                "oil        {:.4} mPa s at {:.2} degC: {}",
+                1e3 * oil.eta0,
+                oil.temperature - 273.15,
+                oil.eta0_source
+            ),
+            format!("           alpha {:.2} 1/GPa: {}{scatter}", 1e9 * oil.alpha, oil.alpha_source),
+        ]
     }
 
     fn mesh_lines(&self) -> Vec<String> {

@@ -1,8 +1,8 @@
-//! `stribeck curve`: friction over speed, from boundary lubrication to full film.
+//! `stribeck curve`: friction over speed, slide-roll ratio, load or temperature.
 
+mod axis;
 mod chart;
 mod row;
-mod speeds;
 mod surfaces;
 
 use std::error::Error;
@@ -14,32 +14,36 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use stribeck::Status;
-use stribeck::sim::scene::{GridSpec, Motion, Scene};
-use stribeck::sim::{ContactSolution, MixedLubricationSim, SimError};
-use stribeck::units::Dimension;
+use stribeck::sim::scene::{GridSpec, Scene};
+use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, SimError};
 
+use self::axis::Axis;
 use self::row::{Columns, Row};
 use crate::output::{self, Held, Outcome, Output};
 use crate::{files, interrupt, picture};
 
-/// Number of speeds.
+/// Number of values.
 const POINTS: u32 = 13;
 /// Largest number of surfaces.
 const MOST_SURFACES: u64 = 1000;
 
-/// The oil, the surfaces, the load and the ratio of sliding are those of the scene. Each speed is printed and
-/// written to a table (csv) once it is solved; Ctrl-C ends the curve and keeps them.
+/// The oil, the surfaces and all other conditions are those of the scene. Each contact is printed and written to a
+/// table (csv) once it is solved; Ctrl-C ends the curve and keeps them.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
     scene: PathBuf,
-    /// Lowest entrainment speed, "0.001" or "1 mm/s" [default: a hundredth of that of the scene]
-    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Speed, "--from", text))]
-    from: Option<f64>,
-    /// Highest entrainment speed [default: a hundred times that of the scene]
-    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Speed, "--to", text))]
-    to: Option<f64>,
-    /// Number of speeds, evenly spread over their logarithms
+    /// Quantity that the curve is over
+    #[arg(long, value_enum, default_value_t = Axis::Speed)]
+    over: Axis,
+    /// Lowest value, "0.001" or "1 mm/s" [default: a hundredth of the speed or a tenth of the load of the scene, ratio 0,
+    /// 40 degC]
+    #[arg(long, allow_hyphen_values = true)]
+    from: Option<String>,
+    /// Highest value [default: a hundred times the speed, or the load of the scene, ratio 0.5, 100 degC]
+    #[arg(long, allow_hyphen_values = true)]
+    to: Option<String>,
+    /// Number of values; speeds and loads are evenly spread over their logarithms
     #[arg(
         long, default_value_t = POINTS, allow_hyphen_values = true,
         value_parser = |text: &str| output::count::<u32>("--points", text, 2..=1000)
@@ -57,7 +61,7 @@ pub(crate) struct Options {
 
 /// A solved contact of the curve.
 struct Point {
-    motion: Motion,
+    conditions: Conditions,
     surface: usize,
     solution: ContactSolution,
 }
@@ -74,7 +78,7 @@ struct Curve<'a> {
     made_folder: bool,
     /// Fields of the warnings that were printed.
     said: Vec<String>,
-    /// All speeds so far were solved or have a status.
+    /// All contacts so far were solved or have a status.
     is_complete: bool,
     /// The remark that a mixed contact is one sample is still to be made.
     remarks: bool,
@@ -83,16 +87,17 @@ struct Curve<'a> {
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
     let scene = output::load(&options.scene)?;
-    let motion = speeds::start_motion(options, &scene)?;
-    let speeds = speeds::speeds(options, motion.entrainment_speed)?;
+    let start_conditions = axis::start(options, &scene)?;
+    let values = axis::values(options, &scene, &start_conditions)?;
     let scenes =
         surfaces::scenes(&scene, options.seeds).map_err(|error| output::in_scene(&options.scene, &error))?;
-    let name = format!("{}_curve", output::stem(&options.scene));
-    let solves = speeds.len() * scenes.len();
-    let held = announced(&scene, motion, solves).map_err(|error| output::in_scene(&options.scene, &error))?;
+    let name = format!("{}_{}", output::stem(&options.scene), options.over.file_ending());
+    let solves = values.len() * scenes.len();
+    let held = announced(options, &scene, &start_conditions, solves)
+        .map_err(|error| output::in_scene(&options.scene, &error))?;
     let mut curve = Curve::begin(options, &scene, &name, solves)?;
-    interrupt::listen("the curve ends here and keeps its finished speeds")?;
-    let ended = curve.solve(&scenes, (motion, &speeds), &held);
+    interrupt::listen("the curve ends here and keeps its finished contacts")?;
+    let ended = curve.solve(&scenes, (start_conditions, &values), &held);
     curve.bar.finish_and_clear();
     if curve.rows.is_empty() {
         // A table without a row is no result, nor is a folder without a file.
@@ -105,20 +110,25 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let written = curve.finish(&name, start)?;
     output::report_files(&written, options.output.json)?;
     if !is_whole {
-        let (done, all) = (curve.rows.len(), speeds.len());
+        let (done, all, values) = (curve.rows.len(), values.len(), options.over.values());
         let rest = if done > 0 {
             "; --from with another --out goes on behind them"
         } else {
-            ": no speed was finished, nothing is written"
+            ": none was finished, nothing is written"
         };
-        output::complain("error", &format!("interrupted after {done} of {all} speeds{rest}"));
+        output::complain("error", &format!("interrupted after {done} of {all} {values}{rest}"));
     }
     let all = curve.points.iter().all(|point| point.solution.report.status == Status::Converged);
     Ok(if is_whole && all && curve.is_complete { Outcome::Converged } else { Outcome::NotConverged })
 }
 
 /// Lines about the scene and about the work ahead, which are printed when the first solve begins.
-fn announced(scene: &Scene, motion: Motion, solves: usize) -> Result<Held, SimError> {
+fn announced(
+    options: &Options,
+    scene: &Scene,
+    conditions: &Conditions,
+    solves: usize,
+) -> Result<Held, SimError> {
     let held = Held::default();
     let [megabytes, most] = [output::first_memory(scene)?, scene.memory()?].map(|bytes| 1e-6 * bytes);
     let finer = if most > megabytes {
@@ -127,7 +137,7 @@ fn announced(scene: &Scene, motion: Motion, solves: usize) -> Result<Held, SimEr
         String::new()
     };
     held.hold("needs", format!("{solves} solves, each with about {megabytes:.0} MB of memory{finer}"));
-    if motion.slide_roll_ratio == 0.0 {
+    if options.over != Axis::SlideRollRatio && conditions.motion.slide_roll_ratio == 0.0 {
         held.hold("warning", "the slide-roll ratio is 0: without sliding there is no friction".to_owned());
     }
     held.hold_warnings(&scene.warnings());
@@ -149,7 +159,8 @@ impl<'a> Curve<'a> {
         let has_errors = scene.solver.estimate
             || scene.solver.accuracy.is_some()
             || matches!(scene.grid, GridSpec::Accuracy { .. });
-        let columns = Columns { errors: has_errors, spread: options.seeds.is_some() };
+        let (over, line) = (options.over, scene.form.is_line());
+        let columns = Columns { over, line, errors: has_errors, spread: options.seeds.is_some() };
         let file = File::create(&path).map_err(|error| files::named(&path, &error))?;
         let style = "{wide_bar} {pos} of {len} solves, {eta} left";
         let bar = ProgressBar::new(solves as u64).with_style(ProgressStyle::with_template(style)?);
@@ -175,49 +186,47 @@ impl<'a> Curve<'a> {
         })
     }
 
-    /// Solves one speed after the other for all surfaces; whether all were solved and none interrupted.
+    /// Solves one value after the other for all surfaces; whether all were solved and none interrupted.
     fn solve(
         &mut self,
         scenes: &[Scene],
-        (mut motion, speeds): (Motion, &[f64]),
+        (mut conditions, values): (Conditions, &[f64]),
         held: &Held,
     ) -> Result<bool, Box<dyn Error>> {
         self.bar.tick();
-        for &speed in speeds {
-            motion.entrainment_speed = speed;
+        for &value in values {
             let mut points = Vec::with_capacity(scenes.len());
             for (surface, scene) in scenes.iter().enumerate() {
                 let mut scene = scene.clone();
-                scene.motion.entrainment_speed = speed;
-                scene.schedule.entrainment_speed = None;
+                self.columns.over.set(&mut scene, &mut conditions, value);
                 let (held, bar) = (held.clone(), self.bar.clone());
                 let builder = MixedLubricationSim::builder(scene).interrupt(move || {
                     held.print(&bar);
                     interrupt::is_requested()
                 });
                 match builder.solve() {
-                    Ok(solution) => points.push(Point { motion, surface, solution }),
+                    Ok(solution) => points.push(Point { conditions, surface, solution }),
                     Err(SimError::Interrupted) => return Ok(false),
                     Err(error @ SimError::BoxTooSmall(_)) => {
                         self.is_complete = false;
-                        let text = format!("{speed:.4e} m/s is left out of the curve: {error}");
+                        let text = format!("{} is left out of the curve: {error}", self.columns.words(value));
                         self.bar.suspend(|| output::complain("warning", &text));
                     }
                     Err(error) => return Err(output::in_scene(&self.options.scene, &error).into()),
                 }
                 self.bar.inc(1);
             }
-            self.take(speed, points)?;
+            self.take(value, points)?;
         }
         Ok(true)
     }
 
-    /// Prints and writes the `points` of one speed.
-    fn take(&mut self, speed: f64, points: Vec<Point>) -> Result<(), Box<dyn Error>> {
-        self.bar.suspend(|| self.said.extend(warn(speed, &points, &self.said)));
+    /// Prints and writes the `points` of one value.
+    fn take(&mut self, value: f64, points: Vec<Point>) -> Result<(), Box<dyn Error>> {
+        self.bar.suspend(|| self.said.extend(warn(&self.columns.words(value), &points, &self.said)));
         let is_converged = |point: &&Point| point.solution.report.status == Status::Converged;
         let solutions: Vec<_> = points.iter().filter(is_converged).map(|point| &point.solution).collect();
-        if let Some(row) = Row::of(speed, &solutions) {
+        if let Some(row) = Row::of(value, &solutions) {
             self.write_line(&row.csv(self.columns))?;
             if !self.options.output.json {
                 let header = self.rows.is_empty().then(|| row::table_header(self.columns));
@@ -229,8 +238,9 @@ impl<'a> Curve<'a> {
         if self.remarks && points.iter().any(|point| surfaces::is_mixed(&point.solution)) {
             self.remarks = false;
             let text = format!(
-                "at {speed:.4e} m/s solids and fluid share the load: this is one random surface of many; \
-                 --seeds 4 gives the mean of four and their standard deviation"
+                "at {} solids and fluid share the load: this is one random surface of many; \
+                 --seeds 4 gives the mean of four and their standard deviation",
+                self.columns.words(value)
             );
             self.bar.suspend(|| output::complain("warning", &text));
         }
@@ -244,7 +254,7 @@ impl<'a> Curve<'a> {
         if !self.rows.is_empty() {
             written.push(self.csv.0.clone());
             if self.options.output.plot {
-                let chart = chart::chart(&output::stem(&self.options.scene), &self.rows);
+                let chart = chart::chart(&output::stem(&self.options.scene), self.columns, &self.rows);
                 written.extend(picture::write(&chart, &self.options.output.out, name)?);
             }
         }
@@ -254,12 +264,14 @@ impl<'a> Curve<'a> {
         Ok(written)
     }
 
-    /// Each contact under the names of `solve`, with its speeds, and the rows of the table.
+    /// Each contact under the names of `solve`, with its conditions, and the rows of the table.
     fn to_json(&self, seconds: f64) -> Result<Value, serde_json::Error> {
         let mut list = Vec::with_capacity(self.points.len());
         for point in &self.points {
             let mut numbers = serde_json::to_value(&point.solution)?;
-            numbers["motion"] = serde_json::to_value(point.motion)?;
+            numbers["motion"] = serde_json::to_value(point.conditions.motion)?;
+            numbers["load"] = point.conditions.load.into();
+            numbers["bulk_temperature"] = point.conditions.bulk_temperature.into();
             if self.columns.spread {
                 numbers["surface"] = point.surface.into();
             }
@@ -272,23 +284,20 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// Prints the warnings of the `points` of a speed that were not `said` before, and the contacts that were not
+/// Prints the warnings of the `points` of a value that were not `said` before, and the contacts that were not
 /// solved; the fields of the former.
-fn warn(speed: f64, points: &[Point], said: &[String]) -> Vec<String> {
+fn warn(value: &str, points: &[Point], said: &[String]) -> Vec<String> {
     let mut new: Vec<String> = Vec::new();
     for point in points {
         let status = point.solution.report.status;
         if status != Status::Converged {
             let which =
                 if points.len() > 1 { format!(", surface {},", point.surface) } else { String::new() };
-            output::complain(
-                "warning",
-                &format!("{speed:.4e} m/s{which} is left out of the curve: {status}"),
-            );
+            output::complain("warning", &format!("{value}{which} is left out of the curve: {status}"));
         }
         for warning in &point.solution.warnings {
             if !said.contains(&warning.field) && !new.contains(&warning.field) {
-                output::complain("warning", &format!("at {speed:.4e} m/s: {warning}"));
+                output::complain("warning", &format!("at {value}: {warning}"));
                 new.push(warning.field.clone());
             }
         }

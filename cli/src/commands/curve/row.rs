@@ -1,7 +1,9 @@
-//! The numbers of one speed: means over the surfaces, their spread and their errors.
+//! The numbers of one value of the curve: means over the surfaces, their spread and their errors.
 
 use serde_json::{Map, Value as Json};
 use stribeck::sim::ContactSolution;
+
+use super::axis::Axis;
 
 /// A number of a solution as a column of the curve.
 pub(super) struct Quantity {
@@ -54,16 +56,26 @@ pub(super) const QUANTITIES: [Quantity; 4] = [
     },
 ];
 
-/// The headings that a curve has beside the values.
+/// The quantity that a curve is over, and the headings that it has beside the values.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Columns {
+    pub(super) over: Axis,
+    /// Line contacts, with loads per length.
+    pub(super) line: bool,
     /// Estimated errors are asked for.
     pub(super) errors: bool,
     /// There are several surfaces.
     pub(super) spread: bool,
 }
 
-/// A number at one speed.
+impl Columns {
+    /// A value of the quantity in messages.
+    pub(super) fn words(self, value: f64) -> String {
+        self.over.words(value, self.line)
+    }
+}
+
+/// A number at one value of the quantity.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Value {
     pub(super) mean: f64,
@@ -84,9 +96,10 @@ impl Value {
     }
 }
 
-/// One speed of the curve.
+/// One point of the curve.
 pub(super) struct Row {
-    pub(super) speed: f64,
+    /// The value of the quantity that the curve is over.
+    pub(super) at: f64,
     /// Surfaces that the means are over.
     surfaces: usize,
     pub(super) values: [Option<Value>; QUANTITIES.len()],
@@ -94,7 +107,7 @@ pub(super) struct Row {
 
 impl Row {
     /// That of the converged `solutions`, one for each surface; none without any.
-    pub(super) fn of(speed: f64, solutions: &[&ContactSolution]) -> Option<Self> {
+    pub(super) fn of(at: f64, solutions: &[&ContactSolution]) -> Option<Self> {
         let all = |get: fn(&ContactSolution) -> Option<f64>| -> Option<Vec<f64>> {
             solutions.iter().map(|solution| get(solution)).collect()
         };
@@ -106,12 +119,12 @@ impl Row {
             let error = all(quantity.error).and_then(|errors| self::mean(&errors));
             Some(Value { mean, sd, error })
         });
-        (!solutions.is_empty()).then_some(Self { speed, surfaces: solutions.len(), values })
+        (!solutions.is_empty()).then_some(Self { at, surfaces: solutions.len(), values })
     }
 
     /// Names and values of the columns; a value that is not known is `None`.
     fn cells(&self, columns: Columns) -> Vec<(String, Option<f64>)> {
-        let mut cells = vec![("motion_entrainment_speed_m_s".to_owned(), Some(self.speed))];
+        let mut cells = vec![(columns.over.column(columns.line).to_owned(), Some(self.at))];
         let named = |ending: &str, get: fn(&Value) -> Option<f64>| {
             let named = QUANTITIES.iter().zip(&self.values);
             let cells = named.map(|(quantity, value)| {
@@ -150,20 +163,20 @@ impl Row {
             let band = value.band().map_or_else(String::new, |band| format!(" +- {}", shown(band)));
             cell(columns, &(shown(value.mean) + &band))
         });
-        format!("{:11.4e}{}", self.speed, cells.collect::<String>())
+        format!("{}{}", columns.over.cell(self.at), cells.collect::<String>())
     }
 }
 
 /// The headings of a file.
 pub(super) fn csv_header(columns: Columns) -> String {
-    let empty = Row { speed: 0.0, surfaces: 0, values: [None; QUANTITIES.len()] };
+    let empty = Row { at: 0.0, surfaces: 0, values: [None; QUANTITIES.len()] };
     empty.cells(columns).into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(",")
 }
 
 /// The headings of the table on the terminal.
 pub(super) fn table_header(columns: Columns) -> String {
     let cells = QUANTITIES.iter().map(|quantity| cell(columns, quantity.label));
-    format!("{:>11}{}", "speed, m/s", cells.collect::<String>())
+    format!("{:>11}{}", columns.over.heading(columns.line), cells.collect::<String>())
 }
 
 /// A cell of the table, wide enough for a number with its band where there are bands.

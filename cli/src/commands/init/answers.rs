@@ -63,6 +63,7 @@ impl Options {
         let given =
             [&self.radius, &self.load, &self.eta0, &self.alpha, &self.speed, &self.roughness, &self.length];
         given.into_iter().all(Option::is_none)
+            && self.grade.is_none()
             && (self.slide_roll_ratio, self.cells) == (None, None)
             && (self.finish, &self.surface) == (None, &None)
     }

@@ -59,7 +59,7 @@ fn isothermal(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
                  friction and film are too large",
                 short(point.conditions.motion.sliding_speed())
             ),
-            "[lubricant.thermal] models it, with the viscosity by temperature (lubricant.temperature and roelands_s0)"
+            "[lubricant.thermal] models it, with the viscosity by temperature (lubricant.temperature and roelands_s0, or an oil by its grade or kinematic viscosities)"
                 .to_owned(),
         )
     })

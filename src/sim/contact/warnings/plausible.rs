@@ -188,15 +188,14 @@ fn oil(oil: &LubricantSpec) -> Vec<Entry> {
 
 /// A viscosity law other than Roelands', by its values at ambient pressure.
 fn viscosity_law(scene: &Scene) -> Vec<Entry> {
-    let of_its_own = scene.lubricant.is_some_and(|oil| oil.viscosity.is_some());
-    let conditions = scene.conditions(0.0).ok().filter(|_| of_its_own);
-    let law =
-        conditions.and_then(|conditions| oil::viscosity(scene, conditions.bulk_temperature).ok().flatten());
-    let Some(law) = law else { return Vec::new() };
-    vec![
-        entry("lubricant.viscosity", law.viscosity(0.0), VISCOSITY),
-        entry("lubricant.viscosity", law.log_slope(0.0), PRESSURE_VISCOSITY),
-    ]
+    let field = scene.lubricant.and_then(|oil| match (oil.oil, oil.viscosity) {
+        (Some(_), _) => Some("lubricant"),
+        (None, Some(_)) => Some("lubricant.viscosity"),
+        (None, None) => None,
+    });
+    let (Some(field), Ok(conditions)) = (field, scene.conditions(0.0)) else { return Vec::new() };
+    let Ok(Some(law)) = oil::viscosity(scene, conditions.bulk_temperature) else { return Vec::new() };
+    vec![entry(field, law.viscosity(0.0), VISCOSITY), entry(field, law.log_slope(0.0), PRESSURE_VISCOSITY)]
 }
 
 /// Smaller half-width of the Hertz contact \[m\]; infinite if unknown.

@@ -1,0 +1,87 @@
+//! Rigid bearings: scenes with the table `[given_film]`.
+
+use std::error::Error;
+use std::time::Instant;
+
+use stribeck::Status;
+use stribeck::sim::scene::BearingSpec;
+use stribeck::sim::{BearingNumbers, BearingSolution, RigidBearing};
+
+use super::{Options, write_fields};
+use crate::output::{self, Outcome};
+use crate::{files, interrupt};
+
+pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, Box<dyn Error>> {
+    let start = Instant::now();
+    if options.output.plot {
+        return Err(
+            "--plot: there are no pictures of a rigid bearing; --fields OUT.npz has its pressures".into()
+        );
+    }
+    if let Some(path) = &options.fields {
+        files::claim(std::slice::from_ref(path), options.output.force, output::OTHER_NAME)?;
+    }
+    let solved = bearing.solve(interrupt::is_requested);
+    let solution = solved.map_err(|error| output::in_scene(&options.scene, &error))?;
+    let (status, grid) = (solution.film.report.status, solution.film.grid());
+    output::warn(&solution.warnings);
+    if let Some(path) = &options.fields {
+        write_fields(path, &grid, &[("pressure", &solution.film.pressure), ("theta", &solution.film.theta)])?;
+    }
+    if options.output.json {
+        let mut numbers = serde_json::to_value(solution.numbers)?;
+        numbers["status"] = serde_json::to_value(status)?;
+        numbers["warnings"] = serde_json::to_value(&solution.warnings)?;
+        numbers["seconds"] = start.elapsed().as_secs_f64().into();
+        numbers["version"] = env!("CARGO_PKG_VERSION").into();
+        output::print(&numbers)?;
+    } else {
+        output::print(&report(bearing, &solution, status))?;
+    }
+    output::report_files(&options.fields.iter().cloned().collect::<Vec<_>>(), options.output.json)?;
+    Ok(status.into())
+}
+
+/// The numbers for people.
+fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) -> String {
+    let numbers = &solution.numbers;
+    let per = match bearing.bearing {
+        BearingSpec::Pad { width: None, .. } | BearingSpec::Step { width: None, .. } => "/m",
+        _ => "",
+    };
+    let mut lines = vec![format!("status     {status}")];
+    lines.extend(position(numbers));
+    let BearingNumbers { friction_moving, friction_resting, .. } = numbers;
+    lines.extend([
+        format!("load       {:.4} N{per}", numbers.load),
+        format!("film       least {:.3} um", 1e6 * numbers.least_film),
+        format!("pressure   at most {:.4} MPa", 1e-6 * numbers.pressure_max),
+        format!(
+            "friction   {friction_moving:.4} N{per} on the moving surface, {friction_resting:.4} N{per} on the surface at rest; \
+             coefficient {:.5}",
+            numbers.friction_coefficient
+        ),
+        format!("power      {:.4} W{per} lost by friction", numbers.power_loss),
+    ]);
+    if solution.film.grid().ny() > 1 {
+        lines.push(format!("side flow  {:.4} ml/s", 1e6 * numbers.side_flow));
+    }
+    lines.push(format!(
+        "oil        {:.4} mPa s at {:.2} degC",
+        1e3 * numbers.eta0,
+        numbers.temperature - 273.15
+    ));
+    lines.join("\n")
+}
+
+/// Position of a journal and the direction of its load.
+fn position(numbers: &BearingNumbers) -> Option<String> {
+    let [towards, across] = numbers.force?;
+    Some(format!(
+        "journal    eccentricity {:.4}, attitude {:.2} deg, Sommerfeld number {:.4}; force of the film {towards:.4} N towards the \
+         widest gap, {across:.4} N across",
+        numbers.eccentricity?,
+        numbers.attitude?.to_degrees(),
+        numbers.sommerfeld?
+    ))
+}

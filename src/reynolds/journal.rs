@@ -1,0 +1,218 @@
+//! Journal bearings: films of eccentric circles, load vector, equilibrium under a load.
+
+use std::f64::consts::TAU;
+
+use super::ReynoldsError;
+use super::given_film::{FilmThickness, GivenFilm, GivenFilmSolution};
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::lubricant::Lubricant;
+use crate::with_fields::with_fields;
+
+/// Largest eccentricity of an equilibrium.
+const MOST_ECCENTRIC: f64 = 0.99;
+/// Largest clearance over the radius; the film is that of a thin gap.
+const MOST_CLEARANCE: f64 = 0.1;
+/// Relative error of the load of an equilibrium.
+const LOAD_TOLERANCE: f64 = 1e-6;
+/// Most solves of an equilibrium.
+const MOST_SOLVES: usize = 60;
+/// A rigid journal that turns in a rigid bush of finite width, with the film `h = c (1 + e cos phi)`.
+///
+/// The angle `phi` begins where the gap is widest, in the direction of rotation. There the film is supplied at ambient
+/// pressure; at both sides pressure is ambient too. The film cavitates at ambient pressure with conservation of mass
+/// ([`GivenFilm`]). Axes are parallel, the state is steady.
+///
+/// Short bearings (Ocvirk): `W = eta omega R L^3/(4 c^2) e/(1 - e^2)^2 sqrt(pi^2 (1 - e^2) + 16 e^2)`.
+/// Source: Ocvirk (1952), Short-bearing approximation for full journal bearings, NACA TN 2808.
+///
+/// ```
+/// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+/// use stribeck::reynolds::JournalBearing;
+/// let oil = Lubricant::new(Barus::new(0.02, 0.0)?, Incompressible);
+/// let bearing = JournalBearing::new([25e-3, 50e-3, 25e-6], 300.0, &oil).with_cells([90, 20]);
+/// let solution = bearing.solve(0.5)?;
+/// // Butenschoen's table: Sommerfeld number 0.890, attitude angle 56.7 degrees.
+/// assert!((solution.sommerfeld / 0.8903 - 1.0).abs() < 0.03);
+/// assert!((solution.attitude.to_degrees() - 56.7).abs() < 1.0);
+/// let under = bearing.equilibrium(solution.load)?;
+/// assert!((under.eccentricity - 0.5).abs() < 1e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub struct JournalBearing<'a> {
+    /// Radius of the journal \[m\].
+    pub radius: f64,
+    /// Width of the bearing \[m\].
+    pub width: f64,
+    /// Radial clearance: difference of the radii \[m\].
+    pub clearance: f64,
+    /// Angular speed of the journal \[rad/s\].
+    pub angular_speed: f64,
+    /// The lubricant.
+    pub lubricant: &'a Lubricant,
+    /// Cells around the journal and across the width.
+    pub cells: [usize; 2],
+}
+
+/// A solved [`JournalBearing`].
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct JournalSolution {
+    /// Distance of the axes over the clearance.
+    pub eccentricity: f64,
+    /// Load \[N\], the magnitude of the force of the film on the journal.
+    pub load: f64,
+    /// Components of that force \[N\]: towards the widest gap, and across in the direction of rotation there.
+    pub force: [f64; 2],
+    /// Attitude angle between the load and the line of centers \[rad\].
+    pub attitude: f64,
+    /// Sommerfeld number `W psi^2/(L D eta omega)` with `psi = c/R` and the viscosity at ambient pressure.
+    pub sommerfeld: f64,
+    /// Least film \[m\].
+    pub least_film: f64,
+    /// The unrolled film: `x = R phi`; the lower surface is the journal.
+    pub film: GivenFilmSolution,
+}
+
+impl<'a> JournalBearing<'a> {
+    /// A bearing of `[radius, width, clearance]` \[m\] with the angular speed of its journal \[rad/s\], on 180 x 40 cells.
+    pub const fn new(size: [f64; 3], angular_speed: f64, lubricant: &'a Lubricant) -> Self {
+        let [radius, width, clearance] = size;
+        Self { radius, width, clearance, angular_speed, lubricant, cells: [180, 40] }
+    }
+}
+
+with_fields!(<'a> JournalBearing<'a> {
+    with_cells cells: [usize; 2],
+});
+
+impl JournalBearing<'_> {
+    /// Solves at an `eccentricity` of the axes over the clearance, 0 to below 1.
+    ///
+    /// # Errors
+    /// A value out of range, a grid that exceeds the memory.
+    pub fn solve(&self, eccentricity: f64) -> Result<JournalSolution, ReynoldsError> {
+        self.solve_unless(eccentricity, &|| false)
+    }
+
+    /// The eccentricity at which the film carries `load` \[N\], by false position (Illinois).
+    ///
+    /// # Errors
+    /// A value out of range, a load that needs an eccentricity above 0.99, a grid that exceeds the memory.
+    pub fn equilibrium(&self, load: f64) -> Result<JournalSolution, ReynoldsError> {
+        self.equilibrium_unless(load, &|| false)
+    }
+
+    /// Like [`equilibrium`](Self::equilibrium), but ends with an error soon after `interrupted` returns true.
+    ///
+    /// # Errors
+    /// Those of [`equilibrium`](Self::equilibrium), and [`ReynoldsError::Interrupted`].
+    pub fn equilibrium_unless(
+        &self,
+        load: f64,
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<JournalSolution, ReynoldsError> {
+        InputError::require_positive("load", load)?;
+        // The load is zero at the eccentricity zero and grows with it.
+        let [mut low, mut high] = [[0.0, -load], [MOST_ECCENTRIC, 0.0]];
+        let mut solution = self.solve_unless(MOST_ECCENTRIC, interrupted)?;
+        high[1] = solution.load - load;
+        if high[1] < 0.0 {
+            return Err(InputError::Conflict {
+                field: format!("load = {load} N"),
+                reason: format!(
+                    "the film carries {:.6} N at an eccentricity of {MOST_ECCENTRIC}; a smaller load, a thicker oil, a \
+                     higher speed or a smaller clearance",
+                    solution.load
+                ),
+            }
+            .into());
+        }
+        let mut last_is_low = None;
+        for _ in 0..MOST_SOLVES {
+            if (solution.load / load - 1.0).abs() < LOAD_TOLERANCE {
+                break;
+            }
+            // Loads grow steeply near one: where false position is slow, halving brackets the root.
+            let share = low[1] / (low[1] - high[1]);
+            let share = if share < 0.01 { 0.5 } else { share };
+            let eccentricity = low[0] + share * (high[0] - low[0]);
+            solution = self.solve_unless(eccentricity, interrupted)?;
+            let rest = solution.load - load;
+            let is_low = rest < 0.0;
+            // Illinois: an end that is kept twice counts half.
+            let (end, kept) = if is_low { (&mut low, &mut high) } else { (&mut high, &mut low) };
+            *end = [eccentricity, rest];
+            if last_is_low == Some(is_low) {
+                kept[1] *= 0.5;
+            }
+            last_is_low = Some(is_low);
+        }
+        Ok(solution)
+    }
+
+    /// Solves unless `interrupted`.
+    pub(crate) fn solve_unless(
+        &self,
+        eccentricity: f64,
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<JournalSolution, ReynoldsError> {
+        self.validate(eccentricity)?;
+        let grid =
+            Grid::from_edges(self.cells[0], self.cells[1], [0.0, TAU * self.radius], [0.0, self.width])?;
+        let gap = |x: f64| self.clearance * (1.0 + eccentricity * (x / self.radius).cos());
+        let film = FilmThickness::from_function(grid, |x, _| gap(x))?;
+        let speed = self.angular_speed * self.radius;
+        let solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0]).solve_unless(interrupted)?;
+        // The film pushes the journal inwards, against the direction of the angle.
+        let force = self.pressure_moments(&solution).map(|moment| -moment);
+        let load = force[0].hypot(force[1]);
+        let psi = self.clearance / self.radius;
+        let viscosity = self.lubricant.viscosity().viscosity(0.0);
+        let area = 2.0 * self.width * self.radius;
+        Ok(JournalSolution {
+            eccentricity,
+            load,
+            force,
+            attitude: force[1].abs().atan2(force[0]),
+            sommerfeld: load * psi * psi / (area * viscosity * self.angular_speed.abs()),
+            least_film: self.clearance * (1.0 - eccentricity),
+            film: solution,
+        })
+    }
+
+    /// Integrals of `p cos phi` and `p sin phi` over the bearing \[N\], by the midpoints of the cells.
+    fn pressure_moments(&self, solution: &GivenFilmSolution) -> [f64; 2] {
+        let grid = solution.grid();
+        let mut moments = [0.0; 2];
+        for ((x, _), pressure) in grid.nodes().zip(&solution.pressure) {
+            let (sin, cos) = (x / self.radius).sin_cos();
+            moments[0] += pressure * grid.cell_area() * cos;
+            moments[1] += pressure * grid.cell_area() * sin;
+        }
+        moments
+    }
+
+    /// Checks all values.
+    fn validate(&self, eccentricity: f64) -> Result<(), InputError> {
+        InputError::require_positive("radius", self.radius)?;
+        InputError::require_positive("width", self.width)?;
+        InputError::require_positive("clearance", self.clearance)?;
+        InputError::require(
+            self.clearance <= MOST_CLEARANCE * self.radius,
+            "clearance",
+            self.clearance,
+            "at most a tenth of the radius: it is the difference of the radii",
+        )?;
+        InputError::require(
+            self.angular_speed.is_finite() && self.angular_speed != 0.0,
+            "angular_speed",
+            self.angular_speed,
+            "finite and not 0",
+        )?;
+        let requirement = "at least 0 and below 1: the distance of the axes over the radial clearance";
+        InputError::require((0.0..1.0).contains(&eccentricity), "eccentricity", eccentricity, requirement)
+    }
+}

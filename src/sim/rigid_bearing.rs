@@ -1,0 +1,256 @@
+//! Rigid bearings of scene files.
+
+use std::path::Path;
+
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::lubricant::Lubricant;
+use crate::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, JournalBearing, JournalSolution};
+use crate::sim::contact::oil;
+use crate::sim::contact::warnings::{Warning, given_film_warnings};
+use crate::sim::error::SimError;
+use crate::sim::scene::{BearingFile, BearingSpec, JournalPosition, LubricantSpec, read_tables};
+use crate::text_file;
+
+/// A rigid bearing by a scene file with the table `[given_film]`.
+///
+/// ```
+/// use stribeck::sim::RigidBearing;
+/// let scene = "[given_film]\nkind = \"journal\"\ndiameter = \"50 mm\"\nwidth = \"25 mm\"\nclearance = \"40 um\"\n\
+///              speed = \"1500 rpm on 50 mm\"\nload = \"1 kN\"\nnx = 90\nny = 16\n[lubricant]\ngrade = \"ISO VG 32\"\n\
+///              viscosity_index = 98\n[thermal]\nbulk_temperature = \"50 degC\"\n";
+/// let solved = RigidBearing::from_toml(scene)?.solve(|| false)?;
+/// assert!((solved.numbers.load / 1000.0 - 1.0).abs() < 1e-5);
+/// assert!(solved.numbers.power_loss > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct RigidBearing {
+    /// Shape and motion.
+    pub bearing: BearingSpec,
+    /// The lubricant.
+    pub lubricant: LubricantSpec,
+    /// Temperature of the oil \[K\].
+    pub temperature: f64,
+    /// Cells along and across the motion.
+    pub cells: [usize; 2],
+}
+
+/// Numbers of a solved bearing. A wide pad has forces, flows and power per metre of width.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[non_exhaustive]
+pub struct BearingNumbers {
+    /// Load \[N\]: of a journal the magnitude of the force of the film.
+    pub load: f64,
+    /// Components of that force along the line of centers, towards the widest gap, and across \[N\].
+    pub force: Option<[f64; 2]>,
+    /// Attitude angle between load and line of centers \[rad\].
+    pub attitude: Option<f64>,
+    /// Distance of the axes over the clearance.
+    pub eccentricity: Option<f64>,
+    /// Sommerfeld number.
+    pub sommerfeld: Option<f64>,
+    /// Least film \[m\].
+    pub least_film: f64,
+    /// Largest pressure \[Pa\].
+    pub pressure_max: f64,
+    /// Friction force on the moving surface, against its motion \[N\].
+    pub friction_moving: f64,
+    /// Friction force on the surface at rest, along the motion \[N\].
+    pub friction_resting: f64,
+    /// Friction on the moving surface over the load.
+    pub friction_coefficient: f64,
+    /// Flow out through both sides \[m^3/s\].
+    pub side_flow: f64,
+    /// Power of the moving surface against friction \[W\].
+    pub power_loss: f64,
+    /// Viscosity at ambient pressure \[Pa s\].
+    pub eta0: f64,
+    /// Temperature of the oil \[K\].
+    pub temperature: f64,
+}
+
+/// A solved bearing.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct BearingSolution {
+    /// Forces, flows and power.
+    pub numbers: BearingNumbers,
+    /// Pressures and film fractions. The lower surface moves.
+    pub film: GivenFilmSolution,
+    /// Implausible values.
+    pub warnings: Vec<Warning>,
+}
+
+impl RigidBearing {
+    /// Reads a scene with the table `[given_film]` from TOML text.
+    ///
+    /// # Errors
+    /// [`SimError::Scene`] with key and line for a value that does not fit, [`SimError::Input`] for a quantity of
+    /// another dimension than its key.
+    pub fn from_toml(text: &str) -> Result<Self, SimError> {
+        let file: BearingFile = read_tables(text, |_| Vec::new())?;
+        let bearing = file.given_film.spec().map_err(|reason| SimError::Scene {
+            reason: format!("given_film: {reason}").replace("missing field", "missing key"),
+        })?;
+        Ok(Self {
+            bearing,
+            cells: file.given_film.cells(),
+            lubricant: file.lubricant,
+            temperature: file.thermal.bulk_temperature,
+        })
+    }
+
+    /// Reads a scene file; `None` if it has no table `[given_film]`.
+    ///
+    /// # Errors
+    /// Those of [`from_toml`](Self::from_toml), and [`SimError::Io`] if the file cannot be read.
+    pub fn load(path: impl AsRef<Path>) -> Result<Option<Self>, SimError> {
+        let path = path.as_ref();
+        let text = text_file::read(path).map_err(|source| SimError::Io { path: path.to_owned(), source })?;
+        let is_bearing =
+            toml::from_str::<toml::Table>(&text).is_ok_and(|tables| tables.contains_key("given_film"));
+        if is_bearing { Self::from_toml(&text).map(Some) } else { Ok(None) }
+    }
+
+    /// Solves; `interrupted` ends it with an error.
+    ///
+    /// # Errors
+    /// A value out of range, a load that no eccentricity up to 0.99 carries, an interruption.
+    pub fn solve(&self, interrupted: impl Fn() -> bool) -> Result<BearingSolution, SimError> {
+        let lubricant = self.lubricant()?;
+        match self.bearing {
+            BearingSpec::Journal { diameter, width, clearance, speed, position } => {
+                InputError::require_positive("given_film.diameter", diameter)?;
+                require_speed(speed)?;
+                let radius = 0.5 * diameter;
+                let journal = JournalBearing::new([radius, width, clearance], speed / radius, &lubricant)
+                    .with_cells(self.cells);
+                let solved = match position {
+                    JournalPosition::Eccentricity(eccentricity) => {
+                        journal.solve_unless(eccentricity, &interrupted)
+                    }
+                    JournalPosition::Load(load) => journal.equilibrium_unless(load, &interrupted),
+                };
+                let solved = solved.map_err(in_table)?;
+                self.journal(&lubricant, speed, clearance, solved)
+            }
+            BearingSpec::Pad { length, width, inlet_film, outlet_film, speed } => {
+                let film = |x: f64| inlet_film + (outlet_film - inlet_film) * x / length;
+                self.pad(&lubricant, [length, width.unwrap_or(1.0), speed], &film, &interrupted)
+            }
+            BearingSpec::Step { length, width, inlet_film, outlet_film, step, speed } => {
+                InputError::require(
+                    (0.0..length).contains(&step),
+                    "given_film.step",
+                    step,
+                    "at least 0 and below the length: the length of the part before the step",
+                )?;
+                let film = |x: f64| if x < step { inlet_film } else { outlet_film };
+                self.pad(&lubricant, [length, width.unwrap_or(1.0), speed], &film, &interrupted)
+            }
+        }
+    }
+
+    /// The lubricant at its temperature.
+    fn lubricant(&self) -> Result<Lubricant, InputError> {
+        let (spec, temperature) = (&self.lubricant, self.temperature);
+        InputError::require_positive("thermal.bulk_temperature", temperature)?;
+        let viscosity = oil::viscosity_law(spec, temperature)?;
+        let viscosity = viscosity.at_temperature(temperature).unwrap_or(viscosity);
+        Ok(Lubricant::from_boxed(viscosity, oil::density_law(spec, temperature)?))
+    }
+
+    /// Numbers of a solved journal bearing.
+    fn journal(
+        &self,
+        lubricant: &Lubricant,
+        speed: f64,
+        clearance: f64,
+        solved: JournalSolution,
+    ) -> Result<BearingSolution, SimError> {
+        let grid = solved.film.grid();
+        let films = [clearance * (1.0 + solved.eccentricity), solved.least_film];
+        let film =
+            FilmThickness::from_function(
+                grid,
+                |x, _| if x < 0.5 * grid.size_x() { films[0] } else { films[1] },
+            )?;
+        let warnings = given_film_warnings(&GivenFilm::new(&film, lubricant, [speed, 0.0]), &solved.film);
+        let numbers = BearingNumbers {
+            force: Some(solved.force),
+            attitude: Some(solved.attitude),
+            eccentricity: Some(solved.eccentricity),
+            sommerfeld: Some(solved.sommerfeld),
+            ..self.numbers(lubricant, solved.load, solved.least_film, &solved.film)
+        };
+        Ok(BearingSolution { numbers, film: solved.film, warnings })
+    }
+
+    /// Solves a pad of `[length, width, speed]`.
+    fn pad(
+        &self,
+        lubricant: &Lubricant,
+        [length, width, speed]: [f64; 3],
+        thickness: &dyn Fn(f64) -> f64,
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<BearingSolution, SimError> {
+        InputError::require_positive("given_film.length", length)?;
+        InputError::require_positive("given_film.width", width)?;
+        require_speed(speed)?;
+        InputError::require_positive("given_film.inlet_film", thickness(0.0))?;
+        InputError::require_positive("given_film.outlet_film", thickness(length))?;
+        let grid = Grid::from_edges(self.cells[0], self.cells[1], [0.0, length], [0.0, width])?;
+        let film = FilmThickness::from_function(grid, |x, _| thickness(x))?;
+        let problem = GivenFilm::new(&film, lubricant, [speed, 0.0]);
+        let solved = problem.solve_unless(interrupted).map_err(in_table)?;
+        let warnings = given_film_warnings(&problem, &solved);
+        let least = thickness(0.0).min(thickness(length));
+        Ok(BearingSolution {
+            numbers: self.numbers(lubricant, solved.load, least, &solved),
+            film: solved,
+            warnings,
+        })
+    }
+
+    /// Numbers that all bearings have.
+    fn numbers(
+        &self,
+        lubricant: &Lubricant,
+        load: f64,
+        least_film: f64,
+        film: &GivenFilmSolution,
+    ) -> BearingNumbers {
+        let [moving, resting] = film.friction;
+        BearingNumbers {
+            load,
+            force: None,
+            attitude: None,
+            eccentricity: None,
+            sommerfeld: None,
+            least_film,
+            pressure_max: film.pressure.iter().copied().fold(0.0, f64::max),
+            friction_moving: -moving,
+            friction_resting: resting,
+            friction_coefficient: if load > 0.0 { -moving / load } else { f64::NAN },
+            side_flow: film.side_flow,
+            power_loss: film.power_loss,
+            eta0: lubricant.viscosity().viscosity(0.0),
+            temperature: self.temperature,
+        }
+    }
+}
+
+/// Error unless the surface moves along +x.
+fn require_speed(speed: f64) -> Result<(), InputError> {
+    InputError::require_positive("given_film.speed", speed)
+}
+
+/// The error with the table before its field.
+fn in_table(error: crate::reynolds::ReynoldsError) -> SimError {
+    match error {
+        crate::reynolds::ReynoldsError::Input(error) => SimError::Input(error.within("given_film")),
+        error => error.into(),
+    }
+}

@@ -1,0 +1,189 @@
+//! Explanations of keys and warnings from the pages of the book.
+
+use crate::error::{InputError, escape};
+use crate::nearest::nearest;
+
+/// Pages with tables of keys.
+const PAGES: [(&str, &str); 6] = [
+    ("docs/scene_contact.md", include_str!("../../../docs/scene_contact.md")),
+    ("docs/scene_bodies.md", include_str!("../../../docs/scene_bodies.md")),
+    ("docs/scene_fluid.md", include_str!("../../../docs/scene_fluid.md")),
+    ("docs/scene_laws.md", include_str!("../../../docs/scene_laws.md")),
+    ("docs/scene_history.md", include_str!("../../../docs/scene_history.md")),
+    ("docs/given_film.md", include_str!("../../../docs/given_film.md")),
+];
+/// The page with the table of warnings, and the heading above it.
+const WARNINGS: (&str, &str) = ("docs/errors.md", include_str!("../../../docs/errors.md"));
+const WARNINGS_HEADING: &str = "## Warnings";
+/// Least number of common words of a warning and its row.
+const COMMON_WORDS: usize = 3;
+
+/// A row of a table of keys.
+struct Row {
+    page: &'static str,
+    /// Tables of the scene that the row belongs to: `form`, or `materials.ball` and `materials.disc`.
+    tables: Vec<String>,
+    /// Keys in the first cell.
+    keys: Vec<String>,
+    /// Headings and cells.
+    cells: Vec<(String, String)>,
+}
+
+/// Explains a key of scene files (`lubricant.alpha`, `alpha`) or a warning by its text, in the words of the book.
+///
+/// ```
+/// use stribeck::sim::scene::explain;
+/// let text = explain("form.radius")?;
+/// assert!(text.contains("radius of the ball") && text.contains("docs/scene_contact.md"));
+/// let error = explain("form.radus").unwrap_err().to_string();
+/// assert!(error.contains("form.radius"), "{error}");
+/// assert!(explain("the mean shear stress of the Newtonian fluid is 60 MPa")?.contains("carreau"));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+///
+/// # Errors
+/// A text that is neither a key nor a warning; the error lists the keys closest to it.
+pub fn explain(text: &str) -> Result<String, InputError> {
+    let rows: Vec<Row> = PAGES.iter().flat_map(|(page, content)| rows(page, content)).collect();
+    let asked = text.trim().trim_matches(['[', ']', '`']);
+    let found: Vec<String> = rows.iter().filter_map(|row| row.explained(asked)).collect();
+    if !found.is_empty() {
+        return Ok(found.join("\n\n"));
+    }
+    if let Some(warning) = warning(text) {
+        return Ok(warning);
+    }
+    let paths: Vec<String> = rows.iter().flat_map(Row::paths).collect();
+    let near = nearest(asked, paths.iter().map(String::as_str));
+    Err(InputError::Conflict {
+        field: format!("\"{}\"", escape(text)),
+        reason: format!("is neither a key of a scene nor a warning; the nearest keys: {}", near.join(", ")),
+    })
+}
+
+impl Row {
+    /// Full paths of the keys.
+    fn paths(&self) -> Vec<String> {
+        let of = |table: &String| self.keys.iter().map(|key| format!("{table}.{key}")).collect::<Vec<_>>();
+        self.tables.iter().flat_map(of).collect()
+    }
+
+    /// The explanation, if `asked` is a key of this row, alone or with its table, or its table.
+    fn explained(&self, asked: &str) -> Option<String> {
+        let (table, key) = asked.rsplit_once('.').map_or(("", asked), |(table, key)| (table, key));
+        let is_table = self.tables.iter().any(|own| own == asked);
+        let is_key = self.keys.iter().any(|own| own == key)
+            && (table.is_empty() || self.tables.iter().any(|own| own == table));
+        if !is_table && !is_key {
+            return None;
+        }
+        let heading = format!("[{}] {}", self.tables.join("], ["), self.keys.join(", "));
+        let cells = self.cells.iter().filter(|(_, cell)| !cell.is_empty());
+        let lines = cells.map(|(name, cell)| format!("  {name}: {cell}"));
+        let page = std::iter::once(format!("  page: {}", self.page));
+        Some(std::iter::once(heading).chain(lines).chain(page).collect::<Vec<_>>().join("\n"))
+    }
+}
+
+/// All rows of keys of a page.
+fn rows(page: &'static str, content: &str) -> Vec<Row> {
+    let (mut found, mut tables, mut headings) = (Vec::new(), Vec::new(), Vec::new());
+    let mut previous_is_row = false;
+    for line in content.lines() {
+        if line.starts_with('#') {
+            let named = bracketed(line);
+            if !named.is_empty() {
+                tables = named;
+            } else if line.starts_with("## ") {
+                tables = Vec::new();
+            }
+        }
+        let Some(cells) = cells(line) else {
+            previous_is_row = false;
+            continue;
+        };
+        if !previous_is_row {
+            headings = cells;
+        } else if let Some((first, rest)) = cells.split_first() {
+            let keys = quoted(first);
+            if !keys.is_empty() && !tables.is_empty() {
+                let named = headings.iter().skip(1).zip(rest);
+                let cells = named.map(|(heading, cell)| (plain(heading), plain(cell))).collect();
+                found.push(Row { page, tables: tables.clone(), keys, cells });
+            }
+        }
+        previous_is_row = true;
+    }
+    found
+}
+
+/// The row of the table of warnings that shares the most words with `text`.
+fn warning(text: &str) -> Option<String> {
+    let words = |text: &str| -> Vec<String> {
+        let words = text.split(|c: char| !c.is_alphabetic()).filter(|word| word.len() > 3);
+        words.map(str::to_lowercase).collect()
+    };
+    let asked = words(text);
+    let (_, table) = WARNINGS.1.split_once(WARNINGS_HEADING)?;
+    let rows = table.lines().filter_map(cells).skip(2);
+    let scored = rows.filter_map(|cells| {
+        let own = words(&cells.join(" "));
+        let common = asked.iter().filter(|word| own.contains(word)).count();
+        (common >= COMMON_WORDS).then_some((common, cells))
+    });
+    let (_, cells) = scored.max_by_key(|(common, _)| *common)?;
+    let [about, place, ..] = cells.as_slice() else { return None };
+    Some(format!("warning about {}\n  where: {}\n  page: {}", plain(about), plain(place), WARNINGS.0))
+}
+
+/// Cells of a row of a Markdown table; `None` for another line.
+fn cells(line: &str) -> Option<Vec<String>> {
+    let inner = line.trim().strip_prefix('|')?.strip_suffix('|')?;
+    Some(inner.split('|').map(|cell| cell.trim().to_owned()).collect())
+}
+
+/// Names of tables in a heading: `[form]` in backquotes.
+fn bracketed(line: &str) -> Vec<String> {
+    let names = quoted(line).into_iter();
+    names.filter_map(|name| Some(name.strip_prefix('[')?.strip_suffix(']')?.to_owned())).collect()
+}
+
+/// The words in backquotes.
+fn quoted(text: &str) -> Vec<String> {
+    text.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+/// Markdown without backquotes and targets of links.
+fn plain(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once("](") {
+        let (label_start, label) = before.rsplit_once('[').unwrap_or((before, ""));
+        out.push_str(label_start);
+        out.push_str(label);
+        rest = after.split_once(')').map_or("", |(_, rest)| rest);
+    }
+    out.push_str(rest);
+    out.replace(['`', '$'], "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sim::scene::keys::KEYS;
+
+    #[test]
+    fn every_key_with_a_dimension_is_explained() {
+        let unknown: Vec<String> = KEYS
+            .iter()
+            .map(|(path, _)| path.replace('*', "ball"))
+            .filter(|path| !path.starts_with("schedule.") && explain(path).is_err())
+            .collect();
+        assert!(unknown.is_empty(), "{unknown:?}");
+    }
+
+    #[test]
+    fn links_and_quotes_are_plain_text() {
+        assert_eq!(plain("a [b c](d.md#e) of `f` and [g](h)"), "a b c of f and g");
+    }
+}
