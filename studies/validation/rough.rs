@@ -1,0 +1,178 @@
+//! Rough contacts over the nominal film ratio, beside statements on measured films.
+
+use rayon::prelude::*;
+use stribeck::analytic::{FilmConditions, equivalent_modulus};
+use stribeck::sim::scene::{GridSpec, LubricantSpec, Roughness, RoughnessPair, SolverModel};
+use stribeck::sim::{Scene, solve_contact};
+use stribeck::surface::Form;
+
+use crate::chart::{BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
+use crate::report::{Effort, Number, Outcome, Row};
+
+const RADIUS: f64 = 9.525e-3;
+const RQ: f64 = 60e-9;
+const ETA0: f64 = 0.05;
+const ALPHA: f64 = 20e-9;
+/// Correlation lengths \[m\].
+const LENGTHS: [f64; 2] = [16e-6, 48e-6];
+/// Nominal film ratios, and those above which the law of asperity inlets does not hold.
+const LAMBDAS: [f64; 9] = [0.05, 0.1, 0.2, 0.35, 0.5, 1.0, 1.5, 2.0, 3.0];
+const LARGEST_OF_LAW: f64 = 0.5;
+const SMALLEST_RESOLVED: f64 = 0.2;
+
+/// A steel ball on glass at 0.5 GPa whose film by the formula of Hamrock and Dowson is `lambda` times Rq.
+fn scene(lambda: f64) -> Outcome<Scene> {
+    let mut scene = Scene::azam_2019(16);
+    scene.form = Form::Sphere { radius: RADIUS };
+    scene.elastic.equivalent_modulus = equivalent_modulus([210e9, 0.3], [75e9, 0.22])?;
+    scene.load.hertz_pressure = Some(0.5e9);
+    scene.lubricant = Some(LubricantSpec::roelands(ETA0, 0.68).with_alpha(Some(ALPHA)));
+    scene.friction.eyring_stress = Some(5e6);
+    (scene.roughness, scene.plastic, scene.wear) = (RoughnessPair::default(), None, None);
+    let conditions = FilmConditions {
+        entrainment_speed: 1.0,
+        eta0: ETA0,
+        alpha: ALPHA,
+        equivalent_modulus: scene.elastic.equivalent_modulus,
+        radius: RADIUS,
+        load: scene.hertz()?.force,
+        ellipticity: 1.0,
+    };
+    // The formula has the speed to the power 0.67.
+    let film = conditions.hamrock_dowson_central()?;
+    scene.motion.entrainment_speed = (lambda * RQ / film).powf(1.0 / 0.67);
+    scene.motion.slide_roll_ratio = 0.5;
+    Ok(scene)
+}
+
+/// Mean film in nanometers, share of the load on solids, friction.
+fn solved(scene: &Scene) -> Outcome<[f64; 3]> {
+    let solution = solve_contact(scene)?;
+    solution.report.require_converged()?;
+    let film = 1e9 * solution.film.mean_central;
+    Ok([film, solution.contact.load_ratio, solution.friction.coefficient])
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Case {
+    lambda: f64,
+    length: f64,
+    seed: u64,
+    model: SolverModel,
+}
+
+impl Case {
+    fn solve(&self) -> Outcome<[f64; 3]> {
+        let mut scene = scene(self.lambda)?;
+        let a = scene.hertz()?.half_width_x;
+        let n = if self.model.is_resolved() { 192 } else { 256 };
+        scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-2.0 * a, 1.4 * a], y: [-1.7 * a, 1.7 * a] };
+        scene.solver.model = self.model;
+        scene.roughness.ball = Roughness::gaussian(RQ, self.length, self.seed);
+        solved(&scene)
+    }
+}
+
+fn smooth(lambda: f64) -> Outcome<f64> {
+    let mut scene = scene(lambda)?;
+    let a = scene.hertz()?.half_width_x;
+    scene.grid = GridSpec::Cells { nx: 128, ny: 128, x: [-2.0 * a, 1.4 * a], y: [-1.7 * a, 1.7 * a] };
+    solved(&scene).map(|found| found[0])
+}
+
+/// Film over the smooth film, share on solids and friction of each case.
+fn computed(cases: &[Case], lambdas: &[f64]) -> Outcome<Vec<(Case, [f64; 3])>> {
+    let smooth: Vec<f64> = lambdas.par_iter().map(|lambda| smooth(*lambda)).collect::<Outcome<_>>()?;
+    (cases.par_iter())
+        .map(|case| {
+            let [film, share, friction] = case.solve()?;
+            let k = lambdas.partition_point(|lambda| *lambda < case.lambda);
+            Ok((*case, [film / smooth[k], share, friction]))
+        })
+        .collect()
+}
+
+fn cases(effort: Effort) -> Vec<Case> {
+    let mut cases = Vec::new();
+    let seeds = if effort.is_full() { 2 } else { 1 };
+    for length in LENGTHS {
+        for seed in 1..=seeds {
+            for lambda in LAMBDAS {
+                let mut add = |model| cases.push(Case { lambda, length, seed, model });
+                if lambda <= LARGEST_OF_LAW {
+                    add(SolverModel::AsperityInlets);
+                }
+                if effort.is_full() && lambda >= SMALLEST_RESOLVED || lambda == 2.0 && length == LENGTHS[0] {
+                    add(SolverModel::Resolved);
+                }
+            }
+        }
+    }
+    cases
+}
+
+fn figure(found: &[(Case, [f64; 3])]) -> Figure {
+    let mut panels = Vec::new();
+    for (k, y_label) in ["film / smooth", "load on solids", "friction"].into_iter().enumerate() {
+        let mut lines = Vec::new();
+        for (length, colour) in LENGTHS.into_iter().zip([BLUE, VERMILION]) {
+            for model in [SolverModel::Resolved, SolverModel::AsperityInlets] {
+                for seed in 1..=2 {
+                    let of = |case: &Case| case.length == length && case.model == model && case.seed == seed;
+                    let points = found.iter().filter(|(case, _)| of(case));
+                    let points = points.map(|(case, values)| (case.lambda.log10(), values[k])).collect();
+                    let pen = if model.is_resolved() { Pen::strong(colour) } else { Pen::dashed(colour) };
+                    lines.push(Line { pen, points });
+                }
+            }
+        }
+        panels.push(Panel { y_label, lines });
+    }
+    Figure {
+        title: "Rough contacts over the nominal film ratio; two surfaces each".to_owned(),
+        x_label: "nominal lambda",
+        x_scale: XScale::Decades,
+        legend: vec![
+            (Pen::strong(BLUE), "16 \u{b5}m, resolved".to_owned()),
+            (Pen::dashed(BLUE), "16 \u{b5}m, asperity inlets".to_owned()),
+            (Pen::strong(VERMILION), "48 \u{b5}m, resolved".to_owned()),
+            (Pen::dashed(VERMILION), "48 \u{b5}m, asperity inlets".to_owned()),
+        ],
+        panels,
+    }
+}
+
+pub(crate) fn row(effort: Effort) -> Outcome<Row> {
+    let found = computed(&cases(effort), &LAMBDAS)?;
+    let mut numbers = Vec::new();
+    for (case, [film, share, _]) in &found {
+        let model = if case.model.is_resolved() { "resolved" } else { "asperity inlets" };
+        let text = format!("lambda {}; {} um; seed {}; {model}", case.lambda, 1e6 * case.length, case.seed);
+        if case.lambda >= 2.0 {
+            numbers.push(Number::relative(
+                "mean film over smooth film at lambda 2 and 3",
+                text.clone(),
+                "",
+                1.0,
+                *film,
+                0.1,
+            ));
+            numbers.push(Number::between("load on solids at lambda 2 and 3", text, [0.0, 0.01], *share));
+        } else {
+            let group = if case.lambda < 0.15 {
+                "load on solids at lambda 0.05 and 0.1"
+            } else {
+                "load on solids, lambda 0.2 to 1.5"
+            };
+            numbers.push(Number::between(group, text, [0.0, 1.0], *share));
+        }
+    }
+    Ok(Row {
+        name: "rough_films",
+        quantity: "Mean film of rough contacts",
+        reference: "statements on measured films: Guangteng, Cann, Olver and Spikes (2000)",
+        range: "steel on glass, 0.5 GPa, Rq 60 nm, correlation lengths 16 and 48 um, nominal lambda 0.05 to 3",
+        numbers,
+        figures: vec![("rough_films", figure(&found))],
+    })
+}
