@@ -78,6 +78,7 @@ pub(crate) fn hertz(effort: Effort) -> Outcome<Row> {
         reference: "closed form: Hertz (1882)",
         range: "ball and line, 1.15 GPa",
         numbers,
+        extra: String::new(),
         figures: Vec::new(),
     })
 }
@@ -137,6 +138,7 @@ pub(crate) fn subsurface(effort: Effort) -> Outcome<Row> {
         reference: "closed form: Johnson (1985), sections 3.4, 4.2 and 9.2",
         range: "ball and line, Poisson's ratio 0.3",
         numbers,
+        extra: String::new(),
         figures: Vec::new(),
     })
 }
@@ -175,9 +177,9 @@ fn area_over_load(n: usize, half: f64, share: f64, waves: f64, seed: u64) -> Out
 
 pub(crate) fn contact_area(effort: Effort) -> Outcome<Row> {
     let (n, seeds, waves): (usize, u64, &[f64]) =
-        if effort.is_full() { (1024, 2, &[32.0, 48.0]) } else { (384, 1, &[24.0]) };
+        if effort.is_full() { (1024, 2, &[24.0, 32.0]) } else { (512, 1, &[24.0]) };
     let mut cases = Vec::new();
-    for (share, half) in [(0.03, 5.0), (0.1, 4.0)] {
+    for (share, half) in [(0.1, 4.0), (0.2, 3.5)] {
         for waves in waves {
             cases.extend((1..=seeds).map(|seed| (share, half, *waves, seed)));
         }
@@ -194,8 +196,9 @@ pub(crate) fn contact_area(effort: Effort) -> Outcome<Row> {
         name: "contact_area",
         quantity: "Contact area of rough bodies over the load",
         reference: "bounds by theory: Persson (2001), 1.60, and Bush, Gibson and Thomas (1975), 2.51",
-        range: "dry, Gaussian roughness on a ball, nominal pressure 0.03 and 0.1 of E* times the gradient",
+        range: "dry, Gaussian roughness on a ball, peak pressure of the smooth ball 0.1 and 0.2 of E* times the gradient",
         numbers,
+        extra: String::new(),
         figures: Vec::new(),
     })
 }

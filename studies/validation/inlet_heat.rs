@@ -160,6 +160,7 @@ pub(crate) fn row(effort: Effort) -> Outcome<Row> {
         reference: "independent computation of the line contact; fits of Murch and Wilson, Greenwood and Kauzlarich, Gupta et al.",
         range: "1 GPa, pure rolling, L 0.1 to 5",
         numbers,
+        extra: String::new(),
         figures: vec![("inlet_heat", figure(&found))],
     })
 }

@@ -51,23 +51,23 @@ usage: cargo run --release -p studies --bin validation -- [ROW ...] [--quick] [-
 
 type Compute = fn(Effort) -> Outcome<Row>;
 
-/// In the order of the page.
+/// In the order of the page: measurements, independent computations, closed forms, fits.
 const ROWS: [(&str, Compute); 15] = [
     ("mourier", mourier::row),
     ("rig", rig::row),
     ("crowned_rollers", ellipses::row),
     ("rough_films", rough::row),
-    ("reciprocation", reciprocation::row),
     ("journal_bearings", bearings::journal_bearings),
     ("pocket", bearings::pocket),
+    ("reciprocation", reciprocation::row),
+    ("waves", waves::row),
+    ("inlet_heat", inlet_heat::row),
     ("hertz", dry::hertz),
     ("subsurface", dry::subsurface),
     ("contact_area", dry::contact_area),
-    ("waves", waves::row),
     ("point_films", films::points),
     ("line_films", films::lines),
     ("starvation", starvation::row),
-    ("inlet_heat", inlet_heat::row),
 ];
 
 struct Options {

@@ -82,8 +82,16 @@ impl Number {
         self.deviation().abs() <= self.bound
     }
 
+    fn is_interval(&self) -> bool {
+        self.reference[0] < self.reference[1]
+    }
+
     fn deviation_text(&self) -> String {
-        if self.relative { percent(self.deviation()) } else { signed(self.deviation()) }
+        match self.deviation() {
+            deviation if self.is_interval() && deviation == 0.0 => "within".to_owned(),
+            deviation if self.relative => percent(deviation),
+            deviation => signed(deviation),
+        }
     }
 
     fn reference_text(&self) -> String {
@@ -101,6 +109,8 @@ pub(crate) struct Row {
     pub(crate) reference: &'static str,
     pub(crate) range: &'static str,
     pub(crate) numbers: Vec<Number>,
+    /// Markdown after the table of the numbers.
+    pub(crate) extra: String,
     pub(crate) figures: Vec<(&'static str, Figure)>,
 }
 
@@ -155,7 +165,9 @@ impl Row {
 
     /// The table of the row on the page.
     pub(crate) fn table(&self) -> String {
-        if self.numbers.len() > MOST_LINES { self.table_of_groups() } else { self.table_of_numbers() }
+        let table =
+            if self.numbers.len() > MOST_LINES { self.table_of_groups() } else { self.table_of_numbers() };
+        table + &self.extra
     }
 
     fn table_of_numbers(&self) -> String {
@@ -214,21 +226,21 @@ fn span(members: &[&Number]) -> String {
     let deviation = |number: &&&Number| number.deviation();
     let order = |a: &&&Number, b: &&&Number| deviation(a).total_cmp(&deviation(b));
     let ends = [members.iter().min_by(order), members.iter().max_by(order)];
-    if members.iter().all(|number| number.bound == 0.0 && number.holds()) {
-        return "within".to_owned();
-    }
     let [low, high] = ends.map(|end| end.map_or_else(String::new, |number| number.deviation_text()));
     if low == high { low } else { format!("{low} to {high}") }
 }
 
 fn percent(share: f64) -> String {
     let value = 100.0 * share;
+    if share != 0.0 && value.abs() < 0.005 {
+        return format!("{value:+.0e} %");
+    }
     let decimals = if value.abs() < 0.995 { 2 } else { 1 };
     format!("{} %", signed_with(value, decimals))
 }
 
 fn signed(value: f64) -> String {
-    signed_with(value, 3)
+    if value != 0.0 && value.abs() < 5e-4 { format!("{value:+.0e}") } else { signed_with(value, 3) }
 }
 
 /// With a sign; zero after rounding has none.

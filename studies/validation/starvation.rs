@@ -70,6 +70,7 @@ pub(crate) fn row(effort: Effort) -> Outcome<Row> {
         reference: "fit to computations: Chevalier et al. (1998), exponents 2 to 5",
         range: "0.5 and 1 GPa, supplied film 0.3 to 2 of the flooded one",
         numbers,
+        extra: String::new(),
         figures: Vec::new(),
     })
 }

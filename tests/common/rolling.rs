@@ -181,4 +181,19 @@ impl Passage {
         self.masses[0].clone_from(&self.state.mass);
         Ok(())
     }
+
+    /// Mirrors a line contact in x, for flow in the other direction.
+    #[allow(dead_code, reason = "not every program that shares this file reciprocates")]
+    pub(crate) fn mirror(&mut self) {
+        let state = &mut self.state;
+        state.in_contact.reverse();
+        let fields = [
+            &mut state.pressure,
+            &mut state.fluid_pressure,
+            &mut state.film,
+            &mut state.theta,
+            &mut state.mass,
+        ];
+        fields.into_iter().chain(&mut self.masses).for_each(|field| field.reverse());
+    }
 }
