@@ -138,7 +138,7 @@ mod tests {
         let found = ROWS.iter().find(|(row, _)| *row == name).map(|(_, compute)| compute(Effort::Short));
         match found {
             Some(Ok(row)) => {
-                assert!(!row.numbers.is_empty() && row.failures().is_empty(), "{}", row.failures())
+                assert!(!row.numbers.is_empty() && row.failures().is_empty(), "{}", row.failures());
             }
             Some(Err(error)) => panic!("{name}: {error}"),
             None => panic!("there is no row {name}"),

@@ -226,10 +226,10 @@ pub(crate) fn row(effort: Effort) -> Outcome<Row> {
     let (center, exit) = (at(&smooth, 0.0), smooth.iter().filter(|(x, _)| (100.0..140.0).contains(x)));
     let exit = exit.map(|point| point.1).fold(f64::INFINITY, f64::min);
     let mut numbers = vec![
-        Number::relative("center, smooth", "measured", "nm", 211.2, center, 0.02),
-        Number::relative("center, smooth", "computed by the authors", "nm", 209.7, center, 0.02),
+        Number::relative("center, smooth", "measured", "nm", 211.2, center, 0.03),
+        Number::relative("center, smooth", "computed by the authors", "nm", 209.7, center, 0.035),
         Number::relative("constriction, smooth", "measured", "nm", 167.7, exit, 0.07),
-        Number::relative("constriction, smooth", "computed by the authors", "nm", 175.3, exit, 0.05),
+        Number::relative("constriction, smooth", "computed by the authors", "nm", 175.3, exit, 0.03),
     ];
     let mut figures = Vec::new();
     if effort.is_full() {

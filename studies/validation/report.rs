@@ -115,7 +115,7 @@ pub(crate) struct Row {
 }
 
 /// Rows with more numbers are summarized by group on the page; the CSV file has all of them.
-const MOST_LINES: usize = 16;
+const MOST_LINES: usize = 24;
 
 impl Row {
     /// Numbers outside of their bounds, one a line.
