@@ -187,9 +187,11 @@ fn table(found: &[(Case, [f64; 3])]) -> String {
     text
 }
 
-/// Largest film ratio at which solids carry more than a hundredth of the load of any surface.
+/// Largest film ratio at which solids carry more than a hundredth of the load of any surface; resolved contacts count where
+/// both models have one.
 fn onset(found: &[(Case, [f64; 3])], length: f64) -> f64 {
-    let of = found.iter().filter(|(case, _)| case.is_at(case.lambda, length) && case.model.is_resolved());
+    let counts = |case: &Case| case.model.is_resolved() || case.lambda < SMALLEST_RESOLVED;
+    let of = found.iter().filter(|(case, _)| case.is_at(case.lambda, length) && counts(case));
     of.filter(|(_, values)| values[1] > 0.01).map(|(case, _)| case.lambda).fold(0.0, f64::max)
 }
 
@@ -217,19 +219,16 @@ pub(crate) fn row(effort: Effort) -> Outcome<Row> {
                 "",
                 *share,
                 law[1],
-                0.2,
+                0.035,
             ));
         }
     }
     if effort.is_full() {
         for length in LENGTHS {
             let case = format!("{:.0} um", 1e6 * length);
-            numbers.push(Number::between(
-                "lambda below which solids carry 1 %",
-                case,
-                [0.1, 2.0],
-                onset(&found, length),
-            ));
+            let found = onset(&found, length);
+            let number = Number::between("lambda below which solids carry 1 %", case, [0.1, 2.0], found);
+            numbers.push(Number { bound: 0.06, ..number });
         }
     }
     Ok(Row {
