@@ -102,7 +102,7 @@ pub(crate) fn points(effort: Effort) -> Outcome<Row> {
         quantity: "Central films of balls",
         reference: "fit to computations: Nijenbanning, Venner and Moes (1994)",
         range: "M 5 to 300, L 1 to 10, oil of Roelands and Dowson and Higginson",
-        numbers: numbers("central film", &cases, 0.25, point)?,
+        numbers: numbers("central film", &cases, 0.22, point)?,
         extra: String::new(),
         figures: Vec::new(),
     })
