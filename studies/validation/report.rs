@@ -203,7 +203,7 @@ impl Row {
             let [low, high] = number.reference;
             let _ = writeln!(
                 text,
-                "{},{},{},{},{low},{high},{:.6e},{:.3e},{},{}",
+                "{},\"{}\",{},{},{low},{high},{:.6e},{:.3e},{},{}",
                 self.name,
                 number.group,
                 number.case,
