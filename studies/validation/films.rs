@@ -1,0 +1,123 @@
+//! Central films of smooth contacts over the regimes, beside the formulas of Moes and others.
+
+use std::f64::consts::PI;
+
+use rayon::prelude::*;
+use stribeck::analytic::{FilmConditions, LineFilmConditions};
+use stribeck::sim::scene::{BarusConstants, GridSpec, Load, LubricantSpec, ViscositySpec};
+use stribeck::sim::{Scene, solve_contact};
+use stribeck::surface::Form;
+
+use crate::report::{Effort, Number, Outcome, Row};
+
+const MODULUS: f64 = 226e9;
+const ALPHA: f64 = 22e-9;
+const ETA0: f64 = 0.04;
+
+/// A smooth contact.
+fn scene(form: Form, load: f64, speed: f64, oil: LubricantSpec) -> Scene {
+    let mut scene = Scene::azam_2019(16);
+    scene.form = form;
+    scene.elastic.equivalent_modulus = MODULUS;
+    scene.load = Load::force(load);
+    scene.motion.entrainment_speed = speed;
+    scene.motion.slide_roll_ratio = 0.0;
+    scene.lubricant = Some(oil);
+    (scene.roughness, scene.plastic, scene.wear) = (Default::default(), None, None);
+    scene
+}
+
+fn central(scene: &Scene) -> Outcome<f64> {
+    let solution = solve_contact(scene)?;
+    solution.report.require_converged()?;
+    Ok(solution.film.central)
+}
+
+/// Film by the formula and film of the solution \[m\] of a ball in a Roelands oil with the density of Dowson and Higginson.
+fn point(moes_load: f64, moes_lubricant: f64) -> Outcome<[f64; 2]> {
+    let radius = 1.0;
+    let double_speed = (moes_lubricant / (ALPHA * MODULUS)).powi(4);
+    let load = moes_load * double_speed.powf(0.75) * MODULUS * radius * radius;
+    let speed = 0.5 * double_speed * MODULUS * radius / ETA0;
+    let conditions = FilmConditions {
+        entrainment_speed: speed,
+        eta0: ETA0,
+        alpha: ALPHA,
+        equivalent_modulus: MODULUS,
+        radius,
+        load,
+        ellipticity: 1.0,
+    };
+    let oil = LubricantSpec::roelands(ETA0, 0.68).with_alpha(Some(ALPHA));
+    let mut scene = scene(Form::Sphere { radius }, load, speed, oil);
+    scene.grid = GridSpec::Accuracy { accuracy: 0.02 };
+    Ok([conditions.moes_central()?, central(&scene)?])
+}
+
+/// The same of a line contact in an incompressible Barus oil, in a box that holds its inlet.
+fn line(moes_load: f64, moes_lubricant: f64) -> Outcome<[f64; 2]> {
+    let radius = 1.0;
+    let double_speed = (moes_lubricant / (ALPHA * MODULUS)).powi(4);
+    let load = moes_load * double_speed.sqrt() * MODULUS * radius;
+    let speed = 0.5 * double_speed * MODULUS * radius / ETA0;
+    let conditions = LineFilmConditions {
+        entrainment_speed: speed,
+        eta0: ETA0,
+        alpha: ALPHA,
+        equivalent_modulus: MODULUS,
+        radius,
+        load,
+    };
+    let film = conditions.moes_central()?;
+    let half_width = (8.0 * load * radius / (PI * MODULUS)).sqrt();
+    let inlet = (4.0 * half_width).max(20.0 * (2.0 * radius * film).sqrt());
+    let barus = ViscositySpec::Barus(BarusConstants { eta0: ETA0, alpha: ALPHA });
+    let oil = LubricantSpec::roelands(0.0, 0.0).with_viscosity(Some(barus));
+    let oil = oil.with_density_a(0.0).with_density_b(0.0);
+    let mut scene = scene(Form::Cylinder { radius }, load, speed, oil);
+    scene.grid = GridSpec::Row { nx: 2048, x: [-inlet, (2.0 * half_width).max(0.2 * inlet)] };
+    Ok([film, central(&scene)?])
+}
+
+fn numbers(
+    group: &'static str,
+    cases: &[(f64, f64)],
+    bound: f64,
+    films: fn(f64, f64) -> Outcome<[f64; 2]>,
+) -> Outcome<Vec<Number>> {
+    (cases.par_iter())
+        .map(|(m, l)| {
+            let [formula, found] = films(*m, *l)?.map(|film| 1e6 * film);
+            Ok(Number::relative(group, format!("M {m}; L {l}"), "um", formula, found, bound))
+        })
+        .collect()
+}
+
+pub(crate) fn points(effort: Effort) -> Outcome<Row> {
+    let full =
+        [5.0, 10.0, 30.0, 100.0, 300.0].into_iter().flat_map(|m| [1.0, 2.5, 5.0, 10.0].map(|l| (m, l)));
+    let cases: Vec<_> = if effort.is_full() { full.collect() } else { vec![(10.0, 5.0), (30.0, 10.0)] };
+    Ok(Row {
+        name: "point_films",
+        quantity: "Central films of balls",
+        reference: "fit to computations: Nijenbanning, Venner and Moes (1994)",
+        range: "M 5 to 300, L 1 to 10, oil of Roelands and Dowson and Higginson",
+        numbers: numbers("central film", &cases, 0.22, point)?,
+        extra: String::new(),
+        figures: Vec::new(),
+    })
+}
+
+pub(crate) fn lines(effort: Effort) -> Outcome<Row> {
+    let full = [1.0, 3.0, 10.0, 30.0, 100.0].into_iter().flat_map(|m| [1.0, 5.0, 10.0].map(|l| (m, l)));
+    let cases: Vec<_> = if effort.is_full() { full.collect() } else { vec![(10.0, 5.0), (30.0, 10.0)] };
+    Ok(Row {
+        name: "line_films",
+        quantity: "Central films of lines",
+        reference: "fit to computations: Moes (1992)",
+        range: "M 1 to 100, L 1 to 10, incompressible Barus oil",
+        numbers: numbers("central film", &cases, 0.2, line)?,
+        extra: String::new(),
+        figures: Vec::new(),
+    })
+}
