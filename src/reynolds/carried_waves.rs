@@ -18,7 +18,7 @@
 //! wave.
 //!
 //! The six nodes lie upstream of the face, the further the more cells a step passes. By the amplification factors of all
-//! waves the scheme is then stable up to 2.25 cells a step, also with steps that vary by 30 %.
+//! waves the scheme is then stable for 0.2 to 2.25 cells a step, also with steps that vary by 30 %.
 
 use crate::error::InputError;
 use crate::reynolds::flow::Scheme;
@@ -27,8 +27,8 @@ use crate::reynolds::flow::Scheme;
 const POINTS: usize = 6;
 /// Terms of a power series in `D`: one more for the flux, whose first term cancels.
 const TERMS: usize = POINTS + 1;
-/// Largest number of cells that a step may pass. Above it the amplification factor of some waves is above one.
-const MOST_CELLS: f64 = 2.25;
+/// Cells that a step may pass. Outside of this range the amplification factor of some waves is above one.
+const CELLS: [f64; 2] = [0.2, 2.25];
 /// Largest ratio of successive steps.
 const LARGEST_RATIO: f64 = 2.0;
 
@@ -83,7 +83,7 @@ pub struct CarriedWaves<'a> {
 
 impl CarriedWaves<'_> {
     /// Adds the correction to the mass `previous` to which the squeeze term refers \[m\]. The sum of the masses changes by no more
-    /// than the rounding, and no mass becomes negative. Above 2.25 cells a step, and where one step is more than
+    /// than the rounding, and no mass becomes negative. Outside of 0.2 to 2.25 cells a step, and where one step is more than
     /// twice as long as the other, nothing is added.
     ///
     /// # Errors
@@ -99,7 +99,7 @@ impl CarriedWaves<'_> {
             return Err(InputError::Conflict { field, reason });
         }
         let [next, last] = self.cells;
-        let is_stable = self.cells.iter().all(|cells| *cells > 0.0 && *cells <= MOST_CELLS);
+        let is_stable = self.cells.iter().all(|cells| (CELLS[0]..=CELLS[1]).contains(cells));
         if !is_stable || next > LARGEST_RATIO * last || last > LARGEST_RATIO * next {
             return Ok(());
         }
@@ -144,8 +144,8 @@ impl Weights {
         let upwind = shift(-0.5);
         beyond.iter_mut().zip(&upwind).for_each(|(term, upwind)| *term -= upwind);
         let slope = |place: f64| quotient(&combined([(1.0, place - 0.5), (-1.0, place - 1.5)]), &change);
-        // The number of nodes upstream by which all amplification factors are at most one: from 2 to 5, with steps at 1/6, 1 and
-        // 11/6 cells.
+        // The number of nodes upstream by which all amplification factors are at most one: from 3 to 5, with steps at 1 and 11/6
+        // cells.
         let nodes = 2.0 + (1.2 * next + 0.8).floor();
         let places = std::array::from_fn(|node| node as f64 - nodes - 0.5);
         let weights = |series: &Series| weights(series, &places);
