@@ -8,7 +8,8 @@ use stribeck::analytic::HertzPoint;
 use stribeck::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
-    Auto, ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, Squeeze, StoppingRule,
+    Auto, CarriedWaves, ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, Squeeze,
+    StoppingRule,
 };
 
 /// A result whose error may cross threads.
@@ -157,8 +158,12 @@ impl Rolling {
 pub(crate) struct Passage {
     pub(crate) state: ContactState,
     masses: [Vec<f64>; 2],
+    films: [Vec<f64>; 2],
+    is_full: [Vec<bool>; 2],
     combined: Vec<f64>,
     pub(crate) time_step: f64,
+    /// Whether waves of the film keep their amplitude, in steps of second order.
+    pub(crate) carries_waves: bool,
 }
 
 impl Passage {
@@ -166,19 +171,43 @@ impl Passage {
         let mut state = ContactState::new(&rolling.grid);
         rolling.solve(gap, None, &mut state)?;
         let masses = [state.mass.clone(), state.mass.clone()];
-        Ok(Self { state, masses, combined: vec![0.0; gap.len()], time_step })
+        let films = [state.film.clone(), state.film.clone()];
+        let is_full = [is_full(&state), is_full(&state)];
+        let combined = vec![0.0; gap.len()];
+        Ok(Self { state, masses, films, is_full, combined, time_step, carries_waves: false })
     }
 
     pub(crate) fn step(&mut self, rolling: &mut Rolling, gap: &[f64], second_order: bool) -> Outcome<()> {
         let [newest, oldest] = &self.masses;
         let squeeze = if second_order {
-            Squeeze::second_order([newest, oldest], [self.time_step; 2], &mut self.combined)?
+            let Squeeze { time_step, .. } =
+                Squeeze::second_order([newest, oldest], [self.time_step; 2], &mut self.combined)?;
+            if self.carries_waves {
+                let [now, before] = &self.is_full;
+                let is_full: Vec<bool> =
+                    now.iter().zip(before).map(|(now, before)| *now && *before).collect();
+                let waves = CarriedWaves {
+                    masses: [newest, oldest],
+                    films: [&self.films[0], &self.films[1]],
+                    is_full: &is_full,
+                    cells: [rolling.speed * self.time_step / rolling.grid.dx(); 2],
+                    nx: rolling.grid.nx(),
+                    scheme: Scheme::SecondOrder,
+                    second_order,
+                };
+                waves.correct(&mut self.combined)?;
+            }
+            Squeeze { previous_mass: &self.combined, time_step }
         } else {
             Squeeze { previous_mass: newest, time_step: self.time_step }
         };
         rolling.solve(gap, Some(squeeze), &mut self.state)?;
         self.masses.swap(0, 1);
         self.masses[0].clone_from(&self.state.mass);
+        self.films.swap(0, 1);
+        self.films[0].clone_from(&self.state.film);
+        self.is_full.swap(0, 1);
+        self.is_full[0] = is_full(&self.state);
         Ok(())
     }
 
@@ -196,4 +225,10 @@ impl Passage {
         ];
         fields.into_iter().chain(&mut self.masses).for_each(|field| field.reverse());
     }
+}
+
+/// Cells full of oil under pressure, without solid contact.
+fn is_full(state: &ContactState) -> Vec<bool> {
+    let at = |k: usize| state.theta[k] >= 1.0 && state.fluid_pressure[k] > 0.0 && !state.in_contact[k];
+    (0..state.theta.len()).map(at).collect()
 }
