@@ -198,7 +198,7 @@ fn what_a_schedule_cannot_be_is_named() {
     let error = refused(&|scene| {
         scene.schedule.bulk_temperature = Some(Schedule::Constant { value: -3.0 });
     });
-    assert!(error.contains("schedule.bulk_temperature.value = -3"), "{error}");
+    assert!(error.contains("schedule.bulk_temperature = -3: -3 K is implausible"), "{error}");
 }
 
 /// Loads of the schedule after the start are those of a history alone: one of a contact between the nodes,

@@ -50,7 +50,7 @@ const MODULUS: &str = "equivalent_modulus = \"230 GPa\"";
 const X: &str = "x = [\"-0.25 mm\", \"0.25 mm\"]\ny";
 
 /// Text of the good scene, a mistake in its place, and words of the message.
-const SCENES: [(&str, &str, &[&str]); 68] = [
+const SCENES: [(&str, &str, &[&str]); 71] = [
     // Numbers and units.
     (
         "\"9.525 mm\"",
@@ -63,10 +63,17 @@ const SCENES: [(&str, &str, &[&str]); 68] = [
         &["grid.x: the box ends 5.0000e-6 m", "inside of the contact", "at least from"],
     ),
     ("\"18 1/GPa\"", "18e9", &["lubricant.alpha = 1.8e10", "is implausible", "2e-8 is usual"]),
+    ("hardness = \"6 GPa\"", "hardness = \"0.05 GPa\"", &["less than 1.050347e1 N at th", "less load"]),
+    ("roelands_z = 0.68", "roelands_z = 68", &["lubricant.roelands_z = 68", "0.6 is usual"]),
     (
-        "hardness = \"6 GPa\"",
-        "hardness = \"0.05 GPa\"",
-        &["plastic.hardness", "a larger hardness, less load"],
+        "boundary_coefficient = 0.115",
+        "boundary_coefficient = 11.5",
+        &["friction.boundary_coefficient = 11.5", "did you mean 11.5 %"],
+    ),
+    (
+        "[solver]",
+        "[thermal]\nbulk_temperature = 80\n[solver]",
+        &["thermal.bulk_temperature = 80", "did you mean 80 degC = 353.15 K"],
     ),
     (
         "[solver]",

@@ -172,7 +172,8 @@ pub(in crate::sim) fn validate_room(
     for ((field, first, step, half_width), count) in axes.into_iter().zip(counts) {
         let low = first - 0.5 * step;
         let nearest = (-low).min(low + step * count as f64);
-        if scene.is_lubricated() && count > 1 && nearest < LEAST_ROOM * half_width {
+        let has_edges = count > 1 && !(field == "grid.y" && grid.is_strip());
+        if scene.is_lubricated() && has_edges && nearest < LEAST_ROOM * half_width {
             return Err(InputError::Conflict {
                 field: field.to_owned(),
                 reason: format!(

@@ -35,7 +35,7 @@ struct Row {
 /// use stribeck::sim::scene::explain;
 /// let text = explain("form.radius")?;
 /// assert!(text.contains("radius of the ball") && text.contains("docs/scene_contact.md"));
-/// let error = explain("form.radus").unwrap_err().to_string();
+/// let error = explain("form.raduis").unwrap_err().to_string();
 /// assert!(error.contains("form.radius"), "{error}");
 /// assert!(explain("the mean shear stress of the Newtonian fluid is 60 MPa")?.contains("carreau"));
 /// # Ok::<(), stribeck::InputError>(())

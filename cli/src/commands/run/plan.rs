@@ -23,7 +23,13 @@ pub(super) fn plan(options: &Options, sim: &MixedLubricationSim) -> Result<Plan,
         }
         (Some(steps), Some(time_step), _) => (steps as f64 * time_step, time_step),
         (Some(steps), None, Some(time)) => (time, time / steps as f64),
-        (None, Some(time_step), Some(time)) => (time, time_step.min(time)),
+        (None, Some(time_step), Some(time)) => {
+            if time_step > time {
+                let text = format!("--time-step is longer than the history: it is one step of {time} s");
+                output::complain("warning", &text);
+            }
+            (time, time_step.min(time))
+        }
         (None, None, Some(time)) => (time, time / STEPS as f64),
         (.., None) => {
             return Err(

@@ -17,8 +17,6 @@ use crate::metrics::height_statistics;
 use crate::sim::contact::oil;
 use crate::sim::scene::{BODIES, LubricantSpec, Scene, Schedule, TribofilmSpec, WearLawSpec};
 
-/// Pressure-viscosity coefficient above which no oil is meant: at 1 GPa it would thicken by `exp(1e4)` \[1/Pa\].
-const LARGEST_ALPHA: f64 = 1e-5;
 /// Rq above which heights are rejected if the contact is narrower \[m\].
 const ROUGHEST: f64 = 1e-3;
 /// Equivalent modulus \[Pa\] below which bodies are soft: joints and seals are conformal, with reduced radii of several
@@ -39,8 +37,6 @@ pub(in crate::sim) fn reject_units(scene: &Scene) -> Result<(), InputError> {
     for (field, value, range) in entries(scene) {
         value.map_or(Ok(()), |value| range.reject_unit(&field, value))?;
     }
-    let alpha = scene.lubricant.and_then(|oil| oil.alpha).filter(|alpha| *alpha > LARGEST_ALPHA);
-    alpha.map_or(Ok(()), |alpha| PRESSURE_VISCOSITY.refuse("lubricant.alpha", alpha))?;
     let roughest = ROUGHEST.max(half_width(scene));
     for (field, rq, range) in roughness(scene) {
         rq.filter(|rq| *rq > roughest).map_or(Ok(()), |rq| range.refuse(&field, rq))?;

@@ -55,11 +55,13 @@ pub(super) struct Plausible {
     usual: f64,
     /// The unit of all three.
     unit: &'static Unit,
+    /// Smallest and largest size that is accepted at all.
+    accepted: [f64; 2],
 }
 
 /// Range from `low` to `high`, typical size and unit.
 const fn plausible(low: f64, high: f64, usual: f64, unit: &'static Unit) -> Plausible {
-    Plausible { low, high, usual, unit }
+    Plausible { low, high, usual, unit, accepted: [0.0, f64::INFINITY] }
 }
 
 /// Radii of bodies, from a microscope tip to a bearing ring.
@@ -81,11 +83,12 @@ pub(super) const VISCOSITY: Plausible = plausible(1e-4, 2.0, 0.01, &PASCAL_SECON
 /// Viscosities including gases.
 pub(super) const GAS_VISCOSITY: Plausible = plausible(5e-6, 2.0, 0.01, &PASCAL_SECOND);
 /// Pressure-viscosity coefficients.
-pub(super) const PRESSURE_VISCOSITY: Plausible = plausible(1e-10, 1e-7, 2e-8, &PER_PASCAL);
+pub(super) const PRESSURE_VISCOSITY: Plausible =
+    plausible(1e-10, 1e-7, 2e-8, &PER_PASCAL).accepted(0.0, 1e-5);
 /// The constant `p_0` of Roelands' law.
 pub(super) const ROELANDS_PRESSURE: Plausible = plausible(1e7, 2e9, 2e8, &PASCAL);
 /// The index `z` of Roelands' law.
-pub(super) const ROELANDS_INDEX: Plausible = plausible(0.05, 2.0, 0.6, &PURE);
+pub(super) const ROELANDS_INDEX: Plausible = plausible(0.05, 2.0, 0.6, &PURE).accepted(0.0, 5.0);
 /// Constants of the law of Dowson and Higginson.
 pub(super) const COMPRESSIBILITY: Plausible = plausible(0.0, 1e-8, 1e-9, &PER_PASCAL);
 /// Supplied oil films.
@@ -95,7 +98,7 @@ pub(super) const GIVEN_FILM: Plausible = plausible(1e-9, 1e-2, 1e-5, &METRE);
 /// Hardnesses, up to that of diamond.
 pub(super) const HARDNESS: Plausible = plausible(1e6, 1.5e11, 6e9, &PASCAL);
 /// Coefficients of friction.
-pub(super) const FRICTION: Plausible = plausible(0.0, 2.0, 0.1, &RATIO);
+pub(super) const FRICTION: Plausible = plausible(0.0, 2.0, 0.1, &RATIO).accepted(0.0, 5.0);
 /// Shear stresses of fluids: limiting, and of Eyring.
 pub(super) const STRESS: Plausible = plausible(1e4, 1e10, 5e7, &PASCAL);
 /// Limiting shear stresses of fluids over their pressures.
@@ -111,7 +114,7 @@ pub(super) const DEPTH: Plausible = plausible(1e-9, 0.1, 1e-4, &METRE);
 /// Thicknesses of tribofilms.
 pub(super) const TRIBOFILM: Plausible = plausible(1e-10, 1e-5, 1e-7, &METRE);
 /// Archard's coefficients, up to that of bare metals without oil.
-pub(super) const WEAR: Plausible = plausible(0.0, 0.02, 1e-6, &PURE);
+pub(super) const WEAR: Plausible = plausible(0.0, 0.02, 1e-6, &PURE).accepted(0.0, 1.0);
 /// Worn volumes per frictional energy.
 pub(super) const WEAR_PER_ENERGY: Plausible = plausible(0.0, 1e-9, 1e-16, &VOLUME_PER_ENERGY);
 /// Factors of mechanical activation.
@@ -123,7 +126,7 @@ pub(super) const ACTIVATION_VOLUME: Plausible = plausible(1e-31, 1e-25, 1e-29, &
 /// Up to 10 eV.
 pub(super) const BARRIER: Plausible = plausible(1e-21, 1.6e-18, 1.3e-19, &JOULE);
 /// Bulk temperatures, from arctic cold to softening steel.
-pub(super) const TEMPERATURE: Plausible = plausible(200.0, 1500.0, 350.0, &KELVIN);
+pub(super) const TEMPERATURE: Plausible = plausible(200.0, 1500.0, 350.0, &KELVIN).accepted(100.0, 5000.0);
 /// Conductivities of solids including diamond.
 pub(super) const HEAT_CONDUCTIVITY: Plausible = plausible(0.01, 3000.0, 46.0, &CONDUCTIVITY);
 /// Diffusivities of solids.
@@ -155,11 +158,18 @@ pub(super) fn rq_range(half_width: f64) -> Plausible {
 const ABSURD: f64 = 100.0;
 
 impl Plausible {
-    /// Error for a `value` so far out of its range that it is clearly in another unit.
+    /// The same with limits beyond which a value is refused also if no other unit explains it.
+    const fn accepted(self, least: f64, most: f64) -> Self {
+        Self { accepted: [least, most], ..self }
+    }
+
+    /// Error for a `value` so far out of its range that it is clearly in another unit, or meaningless.
     pub(super) fn reject_unit(&self, field: &str, value: f64) -> Result<(), InputError> {
         let size = value.abs();
         let beyond = size > ABSURD * self.high || ABSURD * size < self.low;
-        if beyond && self.guess(value).is_some() { self.refuse(field, value) } else { Ok(()) }
+        let [least, most] = self.accepted;
+        let is_refused = size > most || size < least || beyond && self.guess(value).is_some();
+        if is_refused { self.refuse(field, value) } else { Ok(()) }
     }
 
     /// Error for a `value` out of its range.
