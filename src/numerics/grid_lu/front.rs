@@ -134,6 +134,52 @@ impl WithSimd for Elimination<'_, '_> {
     }
 }
 
+/// Factors and update matrix of a leaf, of which one stencil entry couples each border node, from the inverse of its pivots.
+#[inline(always)]
+fn eliminate_leaf(
+    matrix: Matrix<'_>,
+    edges: &[Edge],
+    [rows, border_rows]: [usize; 2],
+    [inverse, lower, upper, update_matrix]: [&mut [f32]; 4],
+) {
+    for (place, edge) in edges.iter().enumerate() {
+        lower[place] = -matrix.entry(edge.of_border as usize);
+        upper[place] = matrix.entry(edge.of_pivot as usize);
+    }
+    for (column, edge) in update_matrix.chunks_exact_mut(border_rows.max(1)).zip(edges) {
+        let inverse = &inverse[edge.pivot as usize * rows..][..rows];
+        let value = matrix.entry(edge.of_pivot as usize);
+        for ((out, row), lower) in column.iter_mut().zip(edges).zip(&*lower) {
+            *out = significant(lower * inverse[row.pivot as usize]) * value;
+        }
+    }
+}
+
+/// Adds the update matrix of a child to the four blocks of its parent: pivots, border by pivots, pivots by border, and border.
+#[inline(always)]
+fn add_child(
+    (update, index_ranges): (Block<'_>, &[IndexRange]),
+    [rows, border_rows]: [usize; 2],
+    [pivots, lower, upper, border]: [&mut [f32]; 4],
+) {
+    let mut columns = update.values.chunks_exact(update.stride);
+    let (on_pivots, on_border) =
+        index_ranges.split_at(index_ranges.partition_point(|range| (range.to as usize) < rows));
+    for range in on_pivots {
+        for (to, column) in range.rows().zip(&mut columns) {
+            extend_add(&mut pivots[to * rows..][..rows], column, on_pivots, 0);
+            extend_add(&mut lower[to * border_rows..][..border_rows], column, on_border, rows);
+        }
+    }
+    for range in on_border {
+        for (to, column) in range.rows().zip(&mut columns) {
+            let to = to - rows;
+            extend_add(&mut upper[to * rows..][..rows], column, on_pivots, 0);
+            extend_add(&mut border[to * border_rows..][..border_rows], column, on_border, rows);
+        }
+    }
+}
+
 impl Elimination<'_, '_> {
     /// Eliminates the pivots; returns whether they are finite.
     #[inline(always)]
@@ -145,21 +191,10 @@ impl Elimination<'_, '_> {
         let (pack, scratch) = scratch.split_at_mut(packed(s));
         inverse.fill(0.0);
         structure.place_entries(front, matrix, inverse);
-        // leaf: one stencil entry couples each border node
         if front.is_leaf {
             let is_finite = invert(simd, inverse, s, STATIC_PIVOT, [scratch, pack]);
             flush_negligible(inverse);
-            for (place, edge) in edges.iter().enumerate() {
-                lower[place] = -matrix.entry(edge.of_border as usize);
-                upper[place] = matrix.entry(edge.of_pivot as usize);
-            }
-            for (column, edge) in update_matrix.chunks_exact_mut(border_rows.max(1)).zip(edges) {
-                let inverse = &inverse[edge.pivot as usize * rows..][..rows];
-                let value = matrix.entry(edge.of_pivot as usize);
-                for ((out, row), lower) in column.iter_mut().zip(edges).zip(&*lower) {
-                    *out = significant(lower * inverse[row.pivot as usize]) * value;
-                }
-            }
+            eliminate_leaf(matrix, edges, [rows, border_rows], [inverse, lower, upper, update_matrix]);
             return is_finite;
         }
         // stencil entries between pivots and border
@@ -172,29 +207,8 @@ impl Elimination<'_, '_> {
             raw[pivot * border_rows + border] = matrix.entry(edge.of_border as usize);
             upper[border * rows + pivot] = matrix.entry(edge.of_pivot as usize);
         }
-        // extend-add: update matrices of the children into the four blocks
-        for (update, index_ranges) in children.into_iter().flatten() {
-            let mut columns = update.values.chunks_exact(update.stride);
-            let (on_pivots, on_border) =
-                index_ranges.split_at(index_ranges.partition_point(|range| (range.to as usize) < rows));
-            for range in on_pivots {
-                for (to, column) in range.rows().zip(&mut columns) {
-                    extend_add(&mut inverse[to * rows..][..rows], column, on_pivots, 0);
-                    extend_add(&mut raw[to * border_rows..][..border_rows], column, on_border, rows);
-                }
-            }
-            for range in on_border {
-                for (to, column) in range.rows().zip(&mut columns) {
-                    let to = to - rows;
-                    extend_add(&mut upper[to * rows..][..rows], column, on_pivots, 0);
-                    extend_add(
-                        &mut update_matrix[to * border_rows..][..border_rows],
-                        column,
-                        on_border,
-                        rows,
-                    );
-                }
-            }
+        for child in children.into_iter().flatten() {
+            add_child(child, [rows, border_rows], [inverse, raw, upper, update_matrix]);
         }
         // P^-1, -B P^-1 and the update matrix C' - B P^-1 C
         let (raw, rest) = scratch.split_at_mut(border_rows * s);

@@ -80,6 +80,18 @@ pub(super) fn solve<'a>(
     on_grid(problem, film, speed, (start.as_ref(), IMBALANCE), interrupted)
 }
 
+/// Propagates film fractions along the flow, in sweeps over the `rows` in both orders.
+fn propagate(balance: &mut Balance<'_>, unknowns: &mut [f64], rows: usize) {
+    balance.update(unknowns);
+    for sweep in 0..SWEEPS {
+        if sweep % 2 == 0 {
+            balance.sweep(unknowns, 0..rows);
+        } else {
+            balance.sweep(unknowns, (0..rows).rev());
+        }
+    }
+}
+
 /// Newton's method on one grid, to a tolerance; `None` if `interrupted`.
 ///
 /// After each step, sweeps over the cells along the flow propagate the film fractions through the cavitated
@@ -131,15 +143,7 @@ fn on_grid<'a>(
         for (k, (s, change)) in unknowns.iter_mut().zip(&change).enumerate() {
             *s = balance.moved(k, *s, share * change);
         }
-        // Propagate film fractions along the flow.
-        balance.update(&unknowns);
-        for sweep in 0..SWEEPS {
-            if sweep % 2 == 0 {
-                balance.sweep(&mut unknowns, 0..grid.ny());
-            } else {
-                balance.sweep(&mut unknowns, (0..grid.ny()).rev());
-            }
-        }
+        propagate(&mut balance, &mut unknowns, grid.ny());
         substitutions += count;
         steps += 1;
     };

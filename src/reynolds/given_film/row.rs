@@ -129,18 +129,28 @@ impl Row {
         } else {
             first.theta
         };
-        let sliding = problem.speeds[1] - problem.speeds[0];
         let ends = [[pressures[0], middle], [middle, pressures[1]]];
-        for (((piece, length), theta), [from, to]) in
+        for (((piece, length), theta), ends) in
             pieces.iter().zip(lengths).zip([first.theta, behind]).zip(ends)
         {
-            let film = piece.film();
-            let viscosity = problem.lubricant.viscosity().viscosity(0.5 * (from + to));
-            let by_sliding = viscosity * theta * sliding * length / film;
-            let by_pressure = 0.5 * film * (to - from);
-            self.friction[0] += by_sliding - by_pressure;
-            self.friction[1] -= by_sliding + by_pressure;
+            self.shear(problem, piece.film(), (length, theta), ends);
         }
+    }
+
+    /// Adds the friction of a piece of the `length` and of the film fraction `theta` between pressures at its ends.
+    fn shear(
+        &mut self,
+        problem: &GivenFilm<'_>,
+        film: f64,
+        (length, theta): (f64, f64),
+        [from, to]: [f64; 2],
+    ) {
+        let sliding = problem.speeds[1] - problem.speeds[0];
+        let viscosity = problem.lubricant.viscosity().viscosity(0.5 * (from + to));
+        let by_sliding = viscosity * theta * sliding * length / film;
+        let by_pressure = 0.5 * film * (to - from);
+        self.friction[0] += by_sliding - by_pressure;
+        self.friction[1] -= by_sliding + by_pressure;
     }
 }
 

@@ -27,6 +27,7 @@ use super::coupled::Coupled;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
+use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::{Residuals, SolveReport, Status, Work};
@@ -253,20 +254,9 @@ impl Workspace {
         stop: &StoppingRule,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
-        self.coupled.configure(problem);
-        self.hierarchy.configure(problem);
-        self.acceleration.reset();
-        self.history.clear();
-        // full multigrid, or a warm start on the finest grid
-        if state.pressure.iter().all(|&p| p <= 0.0) {
-            self.hierarchy.start(problem, lubricant)?;
-        } else {
-            self.hierarchy.resume(problem, state)?;
-        }
-        let mut best = Residuals::UNKNOWN;
-        let (mut reference, mut stalled_cycles, mut touching) = (f64::INFINITY, 0, 0);
-        let mut last = [f64::INFINITY; RATE_CYCLES];
-        let mut status = Status::MaxIterations;
+        self.begin(problem, lubricant, state)?;
+        let (mut best, mut status) = (Residuals::UNKNOWN, Status::MaxIterations);
+        let mut progress = Progress::default();
         for cycle in 0..=stop.max_iterations {
             // residuals of the full problem
             self.evaluate_finest(problem, lubricant, state)?;
@@ -285,31 +275,20 @@ impl Workspace {
             if residuals.max() <= stop.tolerance && within_limit(problem, state) && !touches {
                 return Ok((Status::Converged, residuals));
             }
-            if best.max() < SUFFICIENT_DECREASE * reference {
-                (reference, stalled_cycles) = (best.max(), 0);
-            } else {
-                stalled_cycles += 1;
-            }
+            progress.see_best(best.max());
             // damp a slow relaxation, or hand over to another solver
             if cycle >= SETTLED
-                && residuals.max() > SLOW_REDUCTION * last[0]
+                && residuals.max() > SLOW_REDUCTION * progress.last[0]
                 && self.hierarchy.damp_relaxation()
             {
                 self.acceleration.reset();
-                stalled_cycles = 0;
+                progress.stalled_cycles = 0;
             }
-            let needed = cycles_needed(residuals.max(), last[RATE_CYCLES - 1], stop.tolerance);
-            last.rotate_right(1);
-            last[0] = residuals.max();
-            if self
+            let needed = progress.cycles_needed(residuals.max(), stop.tolerance);
+            let is_slow = self
                 .hand_over
-                .is_some_and(|h| residuals.max() < h.residual && cycle as f64 + needed > h.cycles as f64)
-            {
-                status = Status::Stalled;
-                break;
-            }
-            touching = if touches { touching + 1 } else { 0 };
-            if stalled_cycles > STALL_WINDOW || touching > MAX_TOUCHING_CYCLES {
+                .is_some_and(|h| residuals.max() < h.residual && cycle as f64 + needed > h.cycles as f64);
+            if is_slow || progress.is_stalled(touches) {
                 status = Status::Stalled;
                 break;
             }
@@ -324,11 +303,26 @@ impl Workspace {
             state.clone_from(&self.best);
             self.coupled.evaluate(problem, state)?;
         }
-        let is_thick = problem.reference_film > EXPECTED_OVER_CONTACT * problem.contact_film();
-        if status == Status::Stalled && is_thick && touches(problem, state) {
-            status = Status::MeshTooCoarse;
+        let is_coarse = status == Status::Stalled && touches_a_thick_film(problem, state);
+        Ok((if is_coarse { Status::MeshTooCoarse } else { status }, best))
+    }
+
+    /// Prepares all grids: full multigrid, or a warm start on the finest grid.
+    fn begin(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        lubricant: &Lubricant,
+        state: &ContactState,
+    ) -> Result<(), InputError> {
+        self.coupled.configure(problem);
+        self.hierarchy.configure(problem);
+        self.acceleration.reset();
+        self.history.clear();
+        if state.pressure.iter().all(|&p| p <= 0.0) {
+            self.hierarchy.start(problem, lubricant)
+        } else {
+            self.hierarchy.resume(problem, state)
         }
-        Ok((status, best))
     }
 
     /// Copies the pressure of the finest grid to `state`, evaluates it, and copies the film back.
@@ -349,14 +343,58 @@ impl Workspace {
     }
 }
 
-/// Predicted number of cycles from `residual` to `tolerance` at the mean rate since `earlier`,
-/// [`RATE_CYCLES`] cycles ago; zero without that residual.
-fn cycles_needed(residual: f64, earlier: f64, tolerance: f64) -> f64 {
-    if !earlier.is_finite() {
-        return 0.0;
+/// Whether the film touches although it is expected to be thick.
+fn touches_a_thick_film(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
+    problem.reference_film > EXPECTED_OVER_CONTACT * problem.contact_film() && touches(problem, state)
+}
+
+/// Reduction of the residual over the cycles so far.
+struct Progress {
+    /// Smallest residual at the last sufficient decrease.
+    reference: f64,
+    /// Cycles since then.
+    stalled_cycles: u64,
+    /// Cycles in a row whose film touches.
+    touching: u64,
+    /// Residuals of the last cycles, newest first.
+    last: [f64; RATE_CYCLES],
+}
+
+impl Default for Progress {
+    fn default() -> Self {
+        let last = [f64::INFINITY; RATE_CYCLES];
+        Self { reference: f64::INFINITY, stalled_cycles: 0, touching: 0, last }
     }
-    let gained = (earlier / residual).ln() / RATE_CYCLES as f64;
-    if gained > 0.0 { (residual / tolerance).ln() / gained } else { f64::INFINITY }
+}
+
+impl Progress {
+    /// Takes in the smallest residual so far.
+    fn see_best(&mut self, best: f64) {
+        if best < SUFFICIENT_DECREASE * self.reference {
+            (self.reference, self.stalled_cycles) = (best, 0);
+        } else {
+            self.stalled_cycles += 1;
+        }
+    }
+
+    /// Takes in the `residual` of a cycle. Predicted number of cycles from it to the `tolerance` at the mean rate of the last
+    /// [`RATE_CYCLES`]; zero without so many.
+    fn cycles_needed(&mut self, residual: f64, tolerance: f64) -> f64 {
+        let earlier = self.last[RATE_CYCLES - 1];
+        self.last.rotate_right(1);
+        self.last[0] = residual;
+        if !earlier.is_finite() {
+            return 0.0;
+        }
+        let gained = (earlier / residual).ln() / RATE_CYCLES as f64;
+        if gained > 0.0 { (residual / tolerance).ln() / gained } else { f64::INFINITY }
+    }
+
+    /// Whether the residual no longer falls, or the film has touched for too many cycles.
+    fn is_stalled(&mut self, touches: bool) -> bool {
+        self.touching = if touches { self.touching + 1 } else { 0 };
+        self.stalled_cycles > STALL_WINDOW || self.touching > MAX_TOUCHING_CYCLES
+    }
 }
 
 /// Whether any film under pressure is below the contact film.

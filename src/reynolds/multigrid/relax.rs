@@ -14,6 +14,7 @@
 //! entrainment uses the films of up to two upstream nodes.
 
 use super::level::Level;
+use crate::elastic::NEAR;
 use crate::grid::Grid;
 
 /// Ratio `c/K0` below which entrainment dominates a node.
@@ -193,18 +194,7 @@ impl LineRelaxation {
             let carried: [[f64; 2]; 3] = std::array::from_fn(|m| {
                 level.fluid.mass_derivatives(k - m).map(|derivative| upwind[m] * derivative)
             });
-            let transport = |slot: usize| -> f64 {
-                let along = |m: usize| {
-                    let distance = (slot + m).abs_diff(DIAGONAL);
-                    let share = match distance {
-                        0 => 1.0,
-                        1 if !is_flow => -0.25,
-                        _ => 0.0,
-                    };
-                    carried[m][1] * influence[distance] + carried[m][0] * share
-                };
-                along(0) + along(1) + along(2)
-            };
+            let transport = |slot: usize| transport(&carried, influence, is_flow, slot);
             let (sum, east, west) = (conductances.sum(), conductances.east, conductances.west);
             let has_fluid = |i: usize| i == 0 || i + 1 >= nx || level.pressure[j * nx + i] > 0.0;
             // Cavitated neighbors may not accept the change that a coupling assumes.
@@ -323,4 +313,19 @@ impl LineRelaxation {
             }
         }
     }
+}
+
+/// Derivative of the mass that enters and leaves a cell with respect to the change at the `slot` of its row, by the derivatives
+/// `carried` of the masses at the cell and at the two upstream.
+fn transport(carried: &[[f64; 2]; 3], influence: &[f64; NEAR], is_flow: bool, slot: usize) -> f64 {
+    let along = |m: usize| {
+        let distance = (slot + m).abs_diff(DIAGONAL);
+        let share = match distance {
+            0 => 1.0,
+            1 if !is_flow => -0.25,
+            _ => 0.0,
+        };
+        carried[m][1] * influence[distance] + carried[m][0] * share
+    };
+    along(0) + along(1) + along(2)
 }

@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::error::InputError;
+use crate::grid::Grid;
 use crate::plastic::PlasticDepth;
 use crate::regular_file;
 use crate::reynolds::ContactState;
@@ -36,6 +37,13 @@ const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 const FORMAT: u32 = 9;
 /// Bytes before the content.
 const HEADER: usize = 36;
+
+/// Checks the temperature rises of the film on both surfaces.
+fn validate_rises(rises: Option<&[f64]>, grid: &Grid) -> Result<(), InputError> {
+    let Some(rises) = rises else { return Ok(()) };
+    InputError::require_len("film rises", rises, 2 * grid.len())?;
+    InputError::require_finite("film rises", rises)
+}
 
 /// State of a body.
 #[derive(Serialize, Deserialize)]
@@ -315,6 +323,14 @@ impl MixedLubricationSim {
         }
     }
 
+    /// The key of a body whose initial heights are not those of `saved`.
+    fn other_heights(&self, saved: &[BodyPart<'_>; 2]) -> Option<&'static str> {
+        // A box that has grown combines heights of two generations: they cannot be compared.
+        let names = ["ball_heights", "disc_heights"].into_iter().filter(|_| !self.scene.grid.grows());
+        let mut bodies = names.zip(self.bodies.iter().zip(saved));
+        bodies.find(|(_, (own, saved))| !same_bits(own.initial(), &saved.initial)).map(|(name, _)| name)
+    }
+
     /// Restores the state from the `bytes` of the file at `path`, which may differ in the parts `allowed`.
     /// Returns the parts that differ.
     fn restore_from(
@@ -327,11 +343,6 @@ impl MixedLubricationSim {
         let damaged = |reason: String| CheckpointError::Damaged { path: path.to_owned(), reason };
         let content: Content<'_> =
             postcard::from_bytes(content).map_err(|error| damaged(error.to_string()))?;
-        let other = |part: &str, detail: String| CheckpointError::Other {
-            path: path.to_owned(),
-            part: part.to_owned(),
-            detail,
-        };
         if let Some(grid) = self.grown_to(&content.identity) {
             let mut wide = self.rebuilt(grid).map_err(|error| damaged(error.to_string()))?;
             let differences = wide.restore_from(path, bytes, allowed)?;
@@ -340,16 +351,13 @@ impl MixedLubricationSim {
         }
         let own = self.identity().map_err(|error| damaged(error.to_string()))?;
         let differences = own.differences(&content.identity);
+        let other =
+            |part: String, detail: String| CheckpointError::Other { path: path.to_owned(), part, detail };
         if !differences.iter().all(|part| allowed.contains(&part.as_str())) {
-            return Err(other(&differences.join(", "), own.details(&content.identity)));
+            return Err(other(differences.join(", "), own.details(&content.identity)));
         }
-        for (name, (own, saved)) in
-            ["ball_heights", "disc_heights"].into_iter().zip(self.bodies.iter().zip(&content.bodies))
-        {
-            // A box that has grown combines heights of two generations: they cannot be compared.
-            if !self.scene.grid.grows() && !same_bits(own.initial(), &saved.initial) {
-                return Err(other(name, String::new()));
-            }
+        if let Some(name) = self.other_heights(&content.bodies) {
+            return Err(other(name.to_owned(), String::new()));
         }
         let grid = self.contact.grid;
         let law = self.laws.growth.as_deref();
@@ -364,42 +372,42 @@ impl MixedLubricationSim {
             warnings,
             ..
         } = content;
-        let bodies = [ball.into_body(law, grid.len()), disc.into_body(law, grid.len())];
-        let [Ok(ball), Ok(disc)] = bodies else {
-            let reasons: Vec<String> =
-                bodies.into_iter().filter_map(Result::err).map(|error| error.to_string()).collect();
-            return Err(damaged(reasons.join("; ")));
-        };
+        let bodies =
+            ball.into_body(law, grid.len()).and_then(|ball| Ok([ball, disc.into_body(law, grid.len())?]));
+        let bodies = bodies.map_err(|error| damaged(error.to_string()))?;
         state
             .validate(&grid)
             .and_then(|()| squeeze_memory.validate(&grid))
             .and_then(|()| InputError::require_non_negative("time", time))
-            .and_then(|()| match &film_rises {
-                Some(rises) => InputError::require_len("film rises", rises, 2 * grid.len())
-                    .and_then(|()| InputError::require_finite("film rises", rises)),
-                None => Ok(()),
-            })
+            .and_then(|()| validate_rises(film_rises.as_deref(), &grid))
             .map_err(|error| damaged(error.to_string()))?;
-        self.bodies = [ball, disc];
+        self.bodies = bodies;
         self.backup.clone_from(&self.bodies);
         self.state = state.into_owned();
         self.squeeze_memory = squeeze_memory.into_owned();
         (self.time, self.step, self.draws) = (time, step, draws);
-        // Under other conditions the film may have been isothermal: its temperature rise starts at zero.
-        if let Some(heat) = &mut self.film_heat {
-            match film_rises {
-                Some(rises) => heat.set_start(rises.into_owned()),
-                None => drop(heat.take_start()),
-            }
+        self.restore_heat(film_rises);
+        self.restore_warnings(warnings.into_owned(), !differences.is_empty());
+        Ok(differences)
+    }
+
+    /// Restores the temperature rises of the film. Under other conditions the film may have been isothermal: they start at
+    /// zero.
+    fn restore_heat(&mut self, rises: Option<Cow<'_, [f64]>>) {
+        let Some(heat) = &mut self.film_heat else { return };
+        match rises {
+            Some(rises) => heat.set_start(rises.into_owned()),
+            None => drop(heat.take_start()),
         }
-        // Other conditions may cause warnings of their own.
-        let mut warnings = warnings.into_owned();
-        if !differences.is_empty() {
-            let own = std::mem::take(&mut self.warnings);
+    }
+
+    /// Restores the `warnings`. Where conditions differ, those of this simulation remain beside them.
+    fn restore_warnings(&mut self, mut warnings: Vec<Warning>, differs: bool) {
+        let own = std::mem::take(&mut self.warnings);
+        if differs {
             warnings.extend(own.into_iter().filter(|own| !warnings.contains(own)).collect::<Vec<_>>());
         }
         self.warnings = warnings;
-        Ok(differences)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Estimates of a contact by formula before it is solved: roughness, regime and film, lambda, load ratio,
 //! friction and frictional heating.
 
-use crate::analytic::{FilmMap, FilmRegime, MixedLoadShare};
+use crate::analytic::{FilmMap, MixedLoadShare};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
@@ -76,7 +76,7 @@ pub struct ExpectedFilm {
     /// Smallest and largest load ratio of solutions at this inlet number; `None` where no formula holds.
     pub load_ratio_range: Option<[f64; 2]>,
     /// Friction coefficients of solids (at that load ratio or the smallest one) and of the isothermal fluid; NaN for sliding
-    /// bodies that the film hardly deforms, whose oil carries over more than the Hertz contact.
+    /// bodies whose undeformed gap equals the film outside of the Hertz contact only: the oil carries over more than that.
     pub friction: [f64; 2],
     /// Smallest and largest sum of both over `load_ratio_range`.
     pub friction_range: Option<[f64; 2]>,
@@ -175,8 +175,9 @@ impl MixedLubricationSim {
         let share = self.load_share(central, lubricant, roughness, correlation_length)?;
         let contact = (hertz.pressure, scene.form.is_line());
         let rheology = scene.friction.rheology()?;
-        let is_rigid = matches!(map.regime, FilmRegime::IsoviscousRigid | FilmRegime::PiezoviscousRigid);
-        let stress = if is_rigid && sliding > 0.0 {
+        // Where the gap of the undeformed bodies equals the film.
+        let inlet = (2.0 * scene.form.radii().0 * central).sqrt();
+        let stress = if inlet > hertz.half_width_x && sliding > 0.0 {
             f64::NAN
         } else {
             mean_fluid_stress(&|pressure| law.viscosity(pressure), &rheology, contact, central, sliding)

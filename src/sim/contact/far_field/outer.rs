@@ -17,6 +17,7 @@ use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::{ContactModel, half_space};
 use crate::sim::error::SimError;
 use crate::sim::scene::Scene;
+use crate::sim::scene::hertz::HertzContact;
 
 /// Upstream length of the box, in half-widths of the contact and in film lengths `sqrt(2 R h)`.
 const UPSTREAM: [f64; 2] = [10.0, 7.0];
@@ -77,20 +78,9 @@ impl<'a> OuterContact<'a> {
             half_space(scene, grid, reference)?,
             inner.deformation.bodies().interrupt().cloned(),
         );
-        let mut hertz = inner.hertz.per_metre(&inner.grid);
-        let lengths = film_lengths(curvatures, film);
-        let cells = [grid.dx(), grid.dy()];
-        let [a, b] = hertz.half_extents();
-        let wide = |half: f64, axis: usize| half.max(START[0] * lengths[axis]).max(START[1] * cells[axis]);
-        hertz.angle = 0.0;
-        hertz.half_width_x = wide(a, 0);
-        if is_line {
-            hertz.pressure = 2.0 * hertz.force / (std::f64::consts::PI * hertz.half_width_x);
-        } else {
-            hertz.half_width_y = wide(b, 1);
-            let area = std::f64::consts::PI * hertz.half_width_x * hertz.half_width_y;
-            hertz.pressure = 1.5 * hertz.force / area;
-        }
+        let hertz = inner.hertz.per_metre(&inner.grid);
+        let [a, _] = hertz.half_extents();
+        let hertz = start(hertz, film_lengths(curvatures, film), [grid.dx(), grid.dy()], is_line);
         let mut lubricant = inner.lubricant.clone();
         if let Some(lubricant) = &mut lubricant {
             lubricant.forget_film_temperatures();
@@ -350,6 +340,23 @@ fn curvatures(scene: &Scene) -> [f64; 3] {
 
 fn gap_at([xx, xy, yy]: [f64; 3], [x, y]: [f64; 2]) -> f64 {
     0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y)
+}
+
+/// The Hertz contact with the pressure of its load on half-widths that the outer cells and the inlet of the film can hold.
+fn start(hertz: HertzContact, lengths: [f64; 2], cells: [f64; 2], is_line: bool) -> HertzContact {
+    let mut hertz = hertz;
+    let [a, b] = hertz.half_extents();
+    let wide = |half: f64, axis: usize| half.max(START[0] * lengths[axis]).max(START[1] * cells[axis]);
+    hertz.angle = 0.0;
+    hertz.half_width_x = wide(a, 0);
+    if is_line {
+        hertz.pressure = 2.0 * hertz.force / (std::f64::consts::PI * hertz.half_width_x);
+    } else {
+        hertz.half_width_y = wide(b, 1);
+        let area = std::f64::consts::PI * hertz.half_width_x * hertz.half_width_y;
+        hertz.pressure = 1.5 * hertz.force / area;
+    }
+    hertz
 }
 
 /// Distances along x and y at which the gap equals the film \[m\].

@@ -98,7 +98,7 @@ pub(super) const GIVEN_FILM: Plausible = plausible(1e-9, 1e-2, 1e-5, &METRE);
 /// Hardnesses, up to that of diamond.
 pub(super) const HARDNESS: Plausible = plausible(1e6, 1.5e11, 6e9, &PASCAL);
 /// Coefficients of friction.
-pub(super) const FRICTION: Plausible = plausible(0.0, 2.0, 0.1, &RATIO).accepted(0.0, 5.0);
+pub(super) const FRICTION: Plausible = plausible(0.0, 2.0, 0.1, &RATIO).accepted(0.0, 10.0);
 /// Shear stresses of fluids: limiting, and of Eyring.
 pub(super) const STRESS: Plausible = plausible(1e4, 1e10, 5e7, &PASCAL);
 /// Limiting shear stresses of fluids over their pressures.

@@ -196,6 +196,17 @@ struct Waves {
     rq: f64,
 }
 
+/// Whether the heights are normal and periodic, as far as the scene says.
+fn is_normal(roughness: &Roughness) -> bool {
+    match roughness {
+        Roughness::Random(surface) => {
+            surface.distribution == HeightDistribution::Normal && surface.boundary == Boundary::Periodic
+        }
+        Roughness::Texture(_) => false,
+        _ => true,
+    }
+}
+
 /// Shortest lengths and combined Rq. Rejects surfaces with waves of every length, heights that are not normal
 /// or not periodic, and files; the error names the key to change.
 fn waves(scene: &Scene) -> Result<Waves, SimError> {
@@ -209,16 +220,9 @@ fn waves(scene: &Scene) -> Result<Waves, SimError> {
         if roughness.is_smooth() {
             continue;
         }
-        let normal = match roughness {
-            Roughness::Random(surface) => {
-                surface.distribution == HeightDistribution::Normal && surface.boundary == Boundary::Periodic
-            }
-            Roughness::Texture(_) => false,
-            _ => true,
-        };
         let key = |name: &str| format!("roughness.{body}.{name}");
         match (roughness, roughness.shortest_waves()) {
-            _ if !normal => {
+            _ if !is_normal(roughness) => {
                 return needs_cells(
                     format!("roughness.{body}"),
                     "only normal heights that are periodic are refined without cells",
