@@ -25,12 +25,7 @@ pub(crate) fn claim(files: &[PathBuf], force: bool, elsewhere: &str) -> Result<(
             }
             _ => {}
         }
-        if let Some(folder) = missing_folder(file) {
-            return Err(format!(
-                "{name}: there is no folder {}; make it first, or give another name",
-                folder.display()
-            ));
-        }
+        require_folder(file)?;
         let draft = draft(file);
         let probed = File::create(&draft).and_then(|_| fs::remove_file(&draft));
         probed.map_err(|error| named(file, &error))?;
@@ -38,9 +33,16 @@ pub(crate) fn claim(files: &[PathBuf], force: bool, elsewhere: &str) -> Result<(
     Ok(())
 }
 
-/// The folder of `file`, if there is none.
-pub(crate) fn missing_folder(file: &Path) -> Option<&Path> {
-    file.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists())
+/// Checks that the folder of `file` is there.
+pub(crate) fn require_folder(file: &Path) -> Result<(), String> {
+    match file.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists()) {
+        Some(folder) => Err(format!(
+            "{}: there is no folder {}; make it first, or give another name",
+            file.display(),
+            folder.display()
+        )),
+        None => Ok(()),
+    }
 }
 
 /// The error with the name of its file.

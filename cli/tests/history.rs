@@ -249,7 +249,7 @@ fn a_resumed_run_ends_at_its_duration_with_any_step() {
             ["run", text(&path), "--duration", duration, "--time-step", step, "--json", "--out", text(&out)];
         stribeck(&[arguments.as_slice(), more].concat())
     };
-    // Without a run one begins, and is told.
+    // Without a run the command begins one, with a warning.
     let begun = run("60", "20", &["--resume"]);
     assert_eq!(numbers(&begun)["steps"], 3);
     assert!(error_of(&begun).contains("there is no run to go on with; a new one begins"), "{begun:?}");

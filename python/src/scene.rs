@@ -80,7 +80,7 @@ impl Scene {
         named(py, &value(py, self.0.hertz())?)
     }
 
-    /// What to expect by formula, and the warnings about it.
+    /// The expectation by formula and its warnings.
     fn expectation<'py>(&self, py: Python<'py>) -> PyResult<RecordParts<'py>> {
         let sim = value(py, sim::MixedLubricationSim::builder(self.0.clone()).build())?;
         let warnings = [sim.warnings(), &value(py, sim.expected_warnings())?].concat();

@@ -125,24 +125,6 @@ impl DeformationModel for PeriodicHalfSpace {
     }
 
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
-        Some(self)
-    }
-}
-
-impl ResponseApproximations for PeriodicHalfSpace {
-    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.response.displacement_single(pressure, out)
-    }
-
-    fn displacement_periodic(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.response.displacement_periodic(pressure, out)
-    }
-
-    fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.response.pressure_estimate(displacement, out)
-    }
-
-    fn set_mean_compliance(&mut self, compliance: f64) {
-        self.response.set_mean_compliance(compliance);
+        Some(&mut self.response)
     }
 }

@@ -7,6 +7,7 @@
 
 use std::sync::Arc;
 
+use super::ResponseApproximations;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{Convolution, ConvolutionPlan};
@@ -61,27 +62,21 @@ impl ElasticResponse {
         self.convolution.apply(pressure, out);
         Ok(())
     }
+}
 
+impl ResponseApproximations for ElasticResponse {
     /// `out = K p` in single precision.
-    pub(super) fn displacement_single(
-        &mut self,
-        pressure: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), InputError> {
+    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         in_single(&mut self.estimate, self.grid, ("pressure", pressure), self.self_influence, out)
     }
 
     /// `out = K p` on the periodic grid, in single precision.
-    pub(super) fn displacement_periodic(
-        &mut self,
-        pressure: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), InputError> {
+    fn displacement_periodic(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         in_single(&mut self.periodic, self.grid, ("pressure", pressure), self.self_influence, out)
     }
 
     /// Sets the mean local compliance \[m/Pa\] that the estimated pressure includes.
-    pub(super) fn set_mean_compliance(&mut self, compliance: f64) {
+    fn set_mean_compliance(&mut self, compliance: f64) {
         if compliance == 0.0 {
             self.compliant_inverse = None;
             return;
@@ -95,11 +90,7 @@ impl ElasticResponse {
 
     /// Pressures that cause a displacement on the periodic grid: the spectrum of the kernel, plus the mean
     /// local compliance, inverted by its modulus.
-    pub(super) fn pressure_estimate(
-        &mut self,
-        displacement: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), InputError> {
+    fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         let inverse = self.compliant_inverse.as_mut().unwrap_or(&mut self.inverse);
         in_single(inverse, self.grid, ("displacement", displacement), 1.0 / self.self_influence, out)
     }

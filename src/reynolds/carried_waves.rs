@@ -116,8 +116,8 @@ impl CarriedWaves<'_> {
 
 /// Weights of the changes of the last step at the nodes around a face.
 struct Weights {
-    /// The first of the nodes, from the upstream node of the face.
-    first: isize,
+    /// Nodes before the upstream node of the face.
+    before: usize,
     /// Flux of the correction without the slope.
     flux: [f64; POINTS],
     /// Difference of the wave between the next node upstream and the upstream node at the time to come.
@@ -150,7 +150,7 @@ impl Weights {
         let places = std::array::from_fn(|node| node as f64 - nodes - 0.5);
         let weights = |series: &Series| weights(series, &places);
         Self {
-            first: -(nodes as isize),
+            before: nodes as usize,
             flux: weights(&quotient(&beyond, &change)),
             next_slope: weights(&slope(0.0)),
             last_slope: weights(&slope(next)),
@@ -160,8 +160,7 @@ impl Weights {
 
     /// The weighted sum for the face behind node `i`.
     fn sum(&self, weights: &[f64; POINTS], change: &[f64], i: usize) -> f64 {
-        let start = i.saturating_add_signed(self.first);
-        weights.iter().zip(&change[start..]).map(|(weight, change)| weight * change).sum()
+        weights.iter().zip(&change[i - self.before..]).map(|(weight, change)| weight * change).sum()
     }
 }
 
@@ -249,7 +248,7 @@ impl Row {
         self.flux.fill(0.0);
         let is_full = &carried.is_full[first..first + carried.nx];
         // Slopes on both sides of the upstream node are needed, those of the next face too.
-        let (before, points) = (weights.first.unsigned_abs(), POINTS + 1);
+        let (before, points) = (weights.before, POINTS + 1);
         for i in before..(carried.nx + before).saturating_sub(points) {
             if !is_full[i - before..i - before + points].iter().all(|full| *full) {
                 continue;
@@ -281,14 +280,13 @@ impl Row {
     /// Adds the differences of the fluxes, times `scale`, to the mass `previous`. A cell loses at most half of its mass through
     /// each face.
     fn apply(&mut self, previous: &mut [f64], scale: f64) {
+        let most = 0.5 / scale;
         for i in 0..previous.len().saturating_sub(1) {
-            let most = 0.5 / scale;
             self.flux[i] = self.flux[i].clamp(-most * previous[i + 1].max(0.0), most * previous[i].max(0.0));
         }
         for (i, mass) in previous.iter_mut().enumerate() {
             let inflow = if i == 0 { 0.0 } else { self.flux[i - 1] };
-            let outflow = self.flux[i];
-            *mass -= scale * (outflow - inflow);
+            *mass -= scale * (self.flux[i] - inflow);
         }
     }
 }

@@ -121,12 +121,7 @@ pub(crate) struct Options {
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let ask = options.is_empty() && io::stdin().is_terminal();
-    if let Some(folder) = files::missing_folder(&options.file) {
-        let (name, folder) = (options.file.display(), folder.display());
-        return Err(
-            format!("{name}: there is no folder {folder}; make it first, or give another name").into()
-        );
-    }
+    files::require_folder(&options.file)?;
     if !options.force && options.file.exists() {
         return Err(format!("{}: the file exists; --force writes over it", options.file.display()).into());
     }

@@ -168,12 +168,13 @@ pub(in crate::sim) fn validate_room(
 ) -> Result<(), InputError> {
     let [half_x, half_y] = hertz.half_extents();
     let axes = [("grid.x", grid.x(0), grid.dx(), half_x), ("grid.y", grid.y(0), grid.dy(), half_y)];
-    let counts = [grid.nx(), grid.ny()];
-    for ((field, first, step, half_width), count) in axes.into_iter().zip(counts) {
+    let with_edges = if grid.has_side_edges() { 2 } else { 1 };
+    for ((field, first, step, half_width), count) in
+        axes.into_iter().zip([grid.nx(), grid.ny()]).take(with_edges)
+    {
         let low = first - 0.5 * step;
         let nearest = (-low).min(low + step * count as f64);
-        let has_edges = count > 1 && !(field == "grid.y" && grid.is_strip());
-        if scene.is_lubricated() && has_edges && nearest < LEAST_ROOM * half_width {
+        if scene.is_lubricated() && nearest < LEAST_ROOM * half_width {
             return Err(InputError::Conflict {
                 field: field.to_owned(),
                 reason: format!(

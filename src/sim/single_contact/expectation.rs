@@ -177,20 +177,19 @@ impl MixedLubricationSim {
         let rheology = scene.friction.rheology()?;
         // Where the gap of the undeformed bodies equals the film.
         let inlet = (2.0 * scene.form.radii().0 * central).sqrt();
-        let stress = if inlet > hertz.half_width_x && sliding > 0.0 {
-            f64::NAN
-        } else {
+        let is_estimated = inlet <= hertz.half_width_x || sliding <= 0.0;
+        let stress = if is_estimated {
             mean_fluid_stress(&|pressure| law.viscosity(pressure), &rheology, contact, central, sliding)
+        } else {
+            f64::NAN
         };
         let mean = hertz.force / hertz.area;
         let solids = share.map_or(0.0, |(share, [least, _])| share.unwrap_or(least));
         let coefficient =
             if sliding > 0.0 { self.laws.friction.coefficient(mean, sliding, [0.0; 2]) } else { 0.0 };
         let friction = [solids * coefficient, (1.0 - solids) * stress / mean];
-        let [boundary, fluid] = friction;
-        let of_known = |friction: f64| if stress.is_nan() { 0.0 } else { friction };
-        let heated =
-            IsothermalFriction { boundary: of_known(boundary), fluid: of_known(fluid), film: central };
+        let [boundary, fluid] = if is_estimated { friction } else { [0.0; 2] };
+        let heated = IsothermalFriction { boundary, fluid, film: central };
         let rises = film_rise(scene, hertz, &conditions, law, heated)?;
         let load_ratio = share.and_then(|(share, _)| share);
         let load_ratio_range = share.map(|(_, range)| range);
@@ -198,7 +197,7 @@ impl MixedLubricationSim {
             let ends = shares.map(|share| share * coefficient + (1.0 - share) * stress / mean);
             [ends[0].min(ends[1]), ends[0].max(ends[1])]
         });
-        let friction_range = friction_range.filter(|_| !stress.is_nan());
+        let friction_range = friction_range.filter(|_| is_estimated);
         let film = ExpectedFilm {
             map,
             central,
@@ -207,7 +206,7 @@ impl MixedLubricationSim {
             load_ratio_range,
             friction,
             friction_range,
-            film_rise: if stress.is_nan() { f64::NAN } else { rises.film },
+            film_rise: if is_estimated { rises.film } else { f64::NAN },
         };
         Ok((rises.surfaces, film))
     }

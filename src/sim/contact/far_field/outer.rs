@@ -343,8 +343,7 @@ fn gap_at([xx, xy, yy]: [f64; 3], [x, y]: [f64; 2]) -> f64 {
 }
 
 /// The Hertz contact with the pressure of its load on half-widths that the outer cells and the inlet of the film can hold.
-fn start(hertz: HertzContact, lengths: [f64; 2], cells: [f64; 2], is_line: bool) -> HertzContact {
-    let mut hertz = hertz;
+fn start(mut hertz: HertzContact, lengths: [f64; 2], cells: [f64; 2], is_line: bool) -> HertzContact {
     let [a, b] = hertz.half_extents();
     let wide = |half: f64, axis: usize| half.max(START[0] * lengths[axis]).max(START[1] * cells[axis]);
     hertz.angle = 0.0;
