@@ -96,8 +96,15 @@ impl IsolatedRegions {
                 self.order.push(k as u32);
             }
         }
+        // The largest of them, as many as there may be and one more.
         let imbalance = &self.imbalance;
-        self.order.sort_unstable_by(|a, b| imbalance[*b as usize].total_cmp(&imbalance[*a as usize]));
+        let by_imbalance = |a: &u32, b: &u32| imbalance[*b as usize].total_cmp(&imbalance[*a as usize]);
+        let most = (MOST_REGION_NODES * fluid.grid.len() as f64) as usize + 1;
+        if self.order.len() > most {
+            self.order.select_nth_unstable_by(most - 1, by_imbalance);
+            self.order.truncate(most);
+        }
+        self.order.sort_unstable_by(by_imbalance);
         // As many of them as hold the wanted share.
         let mut covered = 0.0;
         let holds_most = self.order.iter().take_while(|&&k| {

@@ -73,26 +73,28 @@ impl Linearization {
         for (k, advected) in self.advected.iter_mut().enumerate() {
             *advected = single(fluid.advected_fraction(k));
         }
-        // Flow by pressure through the faces.
-        for k in 0..n - 1 {
-            store(&mut self.east, k, fluid.east_flow_derivatives(k), stiffness);
-        }
-        for k in 0..n - nx {
-            store(&mut self.north, k, fluid.north_flow_derivatives(k), stiffness);
-        }
-        // Entrainment beyond the masses, and its coefficients.
+        // Flow by pressure through the faces, and entrainment beyond the masses.
         self.has_entrainment_corrections = fluid.has_entrainment_corrections();
-        if self.has_entrainment_corrections {
-            for k in 0..n {
-                let scales = [stiffness, stiffness, 1.0, 1.0, 1.0];
-                let derivatives = fluid.beyond_derivatives(k);
-                for ((beyond, derivative), scale) in self.beyond.iter_mut().zip(derivatives).zip(scales) {
-                    beyond[k] = single(scale * derivative);
+        for first in (0..n).step_by(nx) {
+            for column in 0..nx {
+                let k = first + column;
+                let (by_flow, beyond) = fluid.east_derivatives(k, column);
+                store(&mut self.east, k, by_flow, stiffness);
+                if self.has_entrainment_corrections {
+                    let scales = [stiffness, stiffness, 1.0, 1.0, 1.0];
+                    for ((stored, derivative), scale) in self.beyond.iter_mut().zip(beyond).zip(scales) {
+                        stored[k] = single(scale * derivative);
+                    }
                 }
             }
-        } else {
+        }
+        if !self.has_entrainment_corrections {
             self.beyond_change.fill(0.0);
         }
+        for k in 0..n - nx {
+            store(&mut self.north, k, fluid.north_derivatives(k), stiffness);
+        }
+        // Coefficients of the entrainment.
         for (j, (upwind, near)) in self.upwind.iter_mut().zip(&mut self.near).enumerate() {
             *upwind = fluid.mass_coefficients(j * nx).map(single);
             *near = fluid.five_point_mass_coefficients(j * nx).map(single);

@@ -42,7 +42,7 @@ impl LocalElimination {
     }
 }
 
-/// Every node solves its own equations.
+/// Every node that has not settled solves its own equations.
 fn eliminate_nodes(
     prediction: &Prediction<'_>,
     step_bound: f64,
@@ -54,6 +54,10 @@ fn eliminate_nodes(
     for k in 0..state.pressure.len() {
         let (side, predicted) = (coupled.active_set[k], prediction.node(k));
         let material = Material { contact_film, limit: problem.limit_at(k), own_influence, step_bound };
+        if let Some(node) = material.settled(side, state.film[k], coupled.balance[k], &predicted) {
+            node.write(k, coupled, state);
+            continue;
+        }
         let node = match problem.lubricant {
             Some(lubricant) if side.fluid != Fluid::Boundary => {
                 // The outflow that the linear step predicts for the node as a function of its own pressure.

@@ -1,5 +1,7 @@
 //! The equations of one node with its neighbors held.
 
+use super::prediction::PredictedNode;
+use super::settings::SETTLED_CHANGE;
 use crate::lubricant::Lubricant;
 use crate::reynolds::active_set::{Fluid, NodeState, Solid};
 use crate::reynolds::coupled::Coupled;
@@ -65,6 +67,33 @@ pub(super) struct Material {
 }
 
 impl Material {
+    /// The predicted state of an open node whose changes over the step are small ([`SETTLED_CHANGE`]); `None` for a
+    /// node that has to solve its own equations. `film` and `balance` are those at the start of the step.
+    pub(super) fn settled(
+        &self,
+        side: NodeState,
+        film: f64,
+        balance: f64,
+        predicted: &PredictedNode,
+    ) -> Option<NodeSolution> {
+        let PredictedNode { pressure, elastic_film, change, .. } = *predicted;
+        let is_open = side.solid == Solid::Open && elastic_film > (1.0 + SETTLED_CHANGE) * self.contact_film;
+        if !is_open || change.film.abs() > SETTLED_CHANGE * film {
+            return None;
+        }
+        let is_settled = match side.fluid {
+            Fluid::Active => {
+                let is_fluid = pressure > 0.0 && pressure < self.limit;
+                is_fluid && change.fluid_pressure.abs() <= SETTLED_CHANGE * pressure
+            }
+            // The cell stays far from filled.
+            Fluid::Cavitated => pressure <= 0.0 && balance + change.balance > SETTLED_CHANGE * film,
+            Fluid::Boundary | Fluid::AtLimit => false,
+        };
+        let pressure = pressure.max(0.0);
+        is_settled.then_some(NodeSolution { side, pressure, fluid_pressure: pressure, depth: 0.0 })
+    }
+
     /// The solution without fluid pressure, the fluid side being given: open, or contact below or at the limit.
     pub(super) fn eliminate_dry(&self, fluid: Fluid, pressure: f64, elastic_film: f64) -> NodeSolution {
         let touch = pressure + (self.contact_film - elastic_film) / self.own_influence;

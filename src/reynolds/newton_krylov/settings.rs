@@ -99,6 +99,13 @@ pub(super) const MAX_HALVINGS: u32 = 3;
 /// the residual: whole steps can oscillate where two films take turns to limit that of a face.
 pub(super) const BACKTRACK_AFTER: u64 = 5;
 
+// Elimination of nodes.
+
+/// Relative change of pressure and film over a step up to which an open node keeps its predicted state: its own
+/// equations would move it by some squares of this. Three quarters of the nodes; the number of steps is the same
+/// for 0.001, and 7 % higher for 0.01 (24 contacts).
+pub(super) const SETTLED_CHANGE: f64 = 1e-3;
+
 // Isolated regions.
 
 /// Newton steps in a window at most.

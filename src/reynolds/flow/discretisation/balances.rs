@@ -33,7 +33,7 @@ impl Discretisation {
             };
             c * mobility * slope
         };
-        let [east, north] = self.coefficients(k);
+        let [east, north] = self.coefficients[k];
         [towards(k + 1, east, self.east[k]), towards(k + self.grid.nx(), north, self.north[k])]
     }
 

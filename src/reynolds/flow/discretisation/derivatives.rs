@@ -5,7 +5,7 @@
 
 use super::super::direction::Direction;
 use super::super::entrainment::DensityRise;
-use super::super::face_mobility::FaceMobility;
+use super::super::face_mobility::{FaceFlow, FaceMobility};
 use super::super::node::NodeFlow;
 use super::{Discretisation, NearField, Scheme};
 
@@ -19,22 +19,34 @@ pub(in crate::reynolds) type BeyondDerivatives = [f64; 5];
 const SECOND_ORDER_WEIGHT: f64 = 1.25;
 
 impl Discretisation {
-    /// Derivatives of the pressure flow through the face east of node `k` at fixed face film ratio and inlet factor:
-    /// by both pressures, then by both films.
-    pub(in crate::reynolds) fn east_flow_derivatives(&self, k: usize) -> [f64; 4] {
-        self.flow_derivatives(k, k + 1, self.coefficients(k)[0], self.along(k))
+    /// Derivatives of the pressure flow through the face east of node `k` in `column` at fixed face film ratio and
+    /// inlet factor, by both pressures, then by both films; then those of its entrainment correction. Zero in the
+    /// last column.
+    #[inline]
+    pub(in crate::reynolds) fn east_derivatives(
+        &self,
+        k: usize,
+        column: usize,
+    ) -> ([f64; 4], BeyondDerivatives) {
+        if column + 1 == self.grid.nx() {
+            return ([0.0; 4], [0.0; 5]);
+        }
+        let face = self.face_flow(k, k + 1, self.along(k));
+        let by_flow = self.flow_derivatives(k, k + 1, self.coefficients[k][0], &face);
+        (by_flow, self.beyond_derivatives(k, column, &face))
     }
 
-    /// The same for the face north of node `k`.
-    pub(in crate::reynolds) fn north_flow_derivatives(&self, k: usize) -> [f64; 4] {
-        self.flow_derivatives(k, k + self.grid.nx(), self.coefficients(k)[1], Direction::Across)
+    /// Derivatives of the pressure flow through the face north of node `k`: by both pressures, then by both films.
+    #[inline]
+    pub(in crate::reynolds) fn north_derivatives(&self, k: usize) -> [f64; 4] {
+        let north = k + self.grid.nx();
+        self.flow_derivatives(k, north, self.coefficients[k][1], &self.face_flow(k, north, Direction::Across))
     }
 
     /// Derivatives of the flow through the face of coefficient `c` between nodes `k` and `o`: by both
     /// pressures, then by both films.
     #[inline]
-    pub(super) fn flow_derivatives(&self, k: usize, o: usize, c: f64, direction: Direction) -> [f64; 4] {
-        let face = self.face_flow(k, o, direction);
+    fn flow_derivatives(&self, k: usize, o: usize, c: f64, face: &FaceFlow) -> [f64; 4] {
         let (own, other) = (&self.nodes[k], &self.nodes[o]);
         let (drop, mobility) = (c * (own.potential - other.potential), c * face.mobility);
         [
@@ -53,12 +65,7 @@ impl Discretisation {
 
     /// Derivatives of the entrainment correction of the face east of node `k`, including its effect on the pressure
     /// flow.
-    pub(in crate::reynolds) fn beyond_derivatives(&self, k: usize) -> BeyondDerivatives {
-        let nx = self.grid.nx();
-        let column = k % nx;
-        if column + 1 == nx {
-            return [0.0; 5];
-        }
+    fn beyond_derivatives(&self, k: usize, column: usize, face: &FaceFlow) -> BeyondDerivatives {
         // At the inlet there is no upstream neighbor.
         let (up, own, next) = (&self.nodes[k - column.min(1)], &self.nodes[k], &self.nodes[k + 1]);
         let film = self.face_film(k, column);
@@ -81,13 +88,12 @@ impl Discretisation {
             }
             _ => ([film.beyond, 0.0], by_films(own.density)),
         };
-        let face = self.face_flow(k, k + 1, self.along(k));
         // The ratio of the face film to the node film is `1 + beyond / film`.
         let mut by_flow = [0.0; 3];
         if face.by_face_film != 0.0 {
-            let drop = self.coefficients(k)[0] * (own.potential - next.potential);
+            let drop = self.coefficients[k][0] * (own.potential - next.potential);
             let (per_film, per_inlet) = (drop * face.by_face_film / own.film, drop * face.by_inlet);
-            let inlet = self.inlet(k, column);
+            let inlet = &self.inlets[k];
             by_flow = [
                 per_film * (film.by_own - film.beyond / own.film) + per_inlet * inlet.by_own,
                 per_film * film.by_next + per_inlet * inlet.by_next,

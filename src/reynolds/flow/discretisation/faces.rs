@@ -1,7 +1,6 @@
 //! Flow through faces: neighbours, films, densities and mobilities.
 //!
-//! [`Discretisation::update_entrainment`] runs once per update and stores the quantities of each face; the rest is
-//! computed on demand. A face has the index of its first node: the one east of `k` is between `k` and `k + 1`, the
+//! An update stores the quantities of the faces of changed nodes; derivatives are computed on demand. A face has the index of its first node: the one east of `k` is between `k` and `k + 1`, the
 //! one north of `k` between `k` and `k + nx`.
 
 use super::super::direction::Direction;
@@ -22,41 +21,56 @@ impl Discretisation {
         let at_edge = |i: usize, n: usize| i == 0 || i + 2 == n;
         let edge = if self.edge_pressure.is_empty() { EDGE_SHARE } else { 1.0 };
         let share = |i: usize, n: usize| if at_edge(i, n) { edge } else { 1.0 };
-        for (i, c) in self.east_coefficients.iter_mut().enumerate() {
-            *c = share(i, nx) * along;
-        }
         let has_sides = self.grid.has_side_edges();
-        for (j, c) in self.north_coefficients.iter_mut().enumerate() {
-            *c = match has_sides {
+        for (j, row) in self.coefficients.chunks_exact_mut(nx).enumerate() {
+            let north = match has_sides {
                 true => share(j, ny) * across,
                 false if j + 1 < ny => across,
                 false => 0.0,
             };
-        }
-    }
-
-    /// `c` of the faces east and north of node `k`.
-    #[inline]
-    pub(super) fn coefficients(&self, k: usize) -> [f64; 2] {
-        let nx = self.grid.nx();
-        [self.east_coefficients[k % nx], self.north_coefficients[k / nx]]
-    }
-
-    /// Updates entrainment corrections and inlet factors of all faces.
-    pub(super) fn update_entrainment(&mut self) {
-        let nx = self.grid.nx();
-        for first in (0..self.nodes.len()).step_by(nx) {
-            for column in 0..nx {
-                self.update_face(first + column, column);
+            for (i, c) in row.iter_mut().enumerate() {
+                *c = [share(i, nx) * along, north];
             }
         }
     }
 
-    /// Updates those of the face east of node `k` in `column`.
+    /// Updates entrainment corrections, inlets and pressure flow of the faces east of the changed nodes, of their
+    /// upstream neighbors and of the next nodes, in the row that begins with node `first`.
+    pub(super) fn update_east_faces(&mut self, first: usize) {
+        let nx = self.grid.nx();
+        for column in 0..nx {
+            let k = first + column;
+            let (up, next) = (k - column.min(1), if column + 1 < nx { k + 1 } else { k });
+            if !self.changes.between(up, next) {
+                continue;
+            }
+            self.update_entrainment(k, column);
+            if column + 1 < nx {
+                self.east[k] = self.face_flow(k, k + 1, self.along(k)).mobility;
+                let drop = self.nodes[k].potential - self.nodes[k + 1].potential;
+                self.east_flow[k] = self.coefficients[k][0] * self.east[k] * drop;
+            }
+        }
+    }
+
+    /// Updates the pressure flow of the faces between the row that begins with node `first` and the next row, where
+    /// one of both nodes has changed.
+    pub(super) fn update_north_faces(&mut self, first: usize) {
+        let nx = self.grid.nx();
+        for k in first..first + nx {
+            if self.changes.at(k) || self.changes.at(k + nx) {
+                self.north[k] = self.face_flow(k, k + nx, Direction::Across).mobility;
+                let drop = self.nodes[k].potential - self.nodes[k + nx].potential;
+                self.north_flow[k] = self.coefficients[k][1] * self.north[k] * drop;
+            }
+        }
+    }
+
+    /// Updates entrainment correction and inlet of the face east of node `k` in `column`.
     #[inline]
-    fn update_face(&mut self, k: usize, column: usize) {
+    fn update_entrainment(&mut self, k: usize, column: usize) {
         let film = self.face_film(k, column);
-        self.inlet_factors[k] = self.inlet(k, column).factor;
+        self.inlets[k] = self.inlet(k, column);
         let own = &self.nodes[k];
         self.face_films[k] = if film.beyond == 0.0 { 1.0 } else { 1.0 + film.beyond / own.film };
         self.beyond[k] = match self.scheme {
@@ -98,7 +112,7 @@ impl Discretisation {
 
     /// The inlet at the face east of node `k` in `column`.
     #[inline]
-    pub(super) fn inlet(&self, k: usize, column: usize) -> Inlet {
+    fn inlet(&self, k: usize, column: usize) -> Inlet {
         if self.face_mobility != FaceMobility::Inlet || column == 0 || column + 1 == self.grid.nx() {
             return Inlet::NONE;
         }
@@ -109,7 +123,7 @@ impl Discretisation {
     #[inline]
     pub(super) fn along(&self, k: usize) -> Direction {
         if self.wedge > 0.0 {
-            Direction::Along(self.face_films[k], self.inlet_factors[k])
+            Direction::Along(self.face_films[k], self.inlets[k].factor)
         } else {
             Direction::AlongWithoutEntrainment
         }
@@ -130,10 +144,10 @@ impl Discretisation {
     #[inline]
     pub(super) fn neighbours(&self, k: usize) -> [(usize, f64, f64); 4] {
         let nx = self.grid.nx();
-        let ([east, north], [west, _]) = (self.coefficients(k), self.coefficients(k - 1));
+        let ([east, north], [west, _]) = (self.coefficients[k], self.coefficients[k - 1]);
         let north_of = if k + nx < self.grid.len() { k + nx } else { k };
         let south = match k.checked_sub(nx) {
-            Some(o) => (o, self.coefficients(o)[1], self.north[o]),
+            Some(o) => (o, self.coefficients[o][1], self.north[o]),
             None => (k, 0.0, 0.0),
         };
         [

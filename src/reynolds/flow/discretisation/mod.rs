@@ -23,6 +23,7 @@
 
 mod across;
 mod balances;
+mod changes;
 mod derivatives;
 mod faces;
 mod own_share;
@@ -34,10 +35,12 @@ pub(in crate::reynolds) use balances::NearField;
 pub(in crate::reynolds) use own_share::HeldNeighbour;
 pub(in crate::reynolds) use window::MARGIN;
 
+use changes::Changes;
+
 use super::cavitation::Cavitation;
-use super::direction::Direction;
 use super::entrainment::Scheme;
 use super::face_mobility::FaceMobility;
+use super::inlet::Inlet;
 use super::node::NodeFlow;
 use super::shear_thinning::{NodeRatios, ShearThinning};
 use super::spin::Spin;
@@ -65,10 +68,8 @@ pub(in crate::reynolds) struct Discretisation {
     film_floor: f64,
     /// Film below which the mobility is zero \[m\]; zero for hard contact.
     closed_film: f64,
-    /// `c` of the faces east of the nodes of each column \[s/m^2\].
-    east_coefficients: Vec<f64>,
-    /// `c` of the faces north of the nodes of each row.
-    north_coefficients: Vec<f64>,
+    /// `c` of the faces east and north of each node \[s/m^2\].
+    coefficients: Vec<[f64; 2]>,
     /// `w`; with spin that of the center row.
     wedge: f64,
     /// Spin of the surfaces, if any.
@@ -82,6 +83,8 @@ pub(in crate::reynolds) struct Discretisation {
     fluidity: f64,
     /// `U / dx` \[1/s\].
     rate: f64,
+    /// Nodes whose quantities the present update computes anew.
+    changes: Changes,
     /// Quantities of the nodes.
     nodes: Vec<NodeFlow>,
     /// `m` of the nodes \[m\].
@@ -90,8 +93,8 @@ pub(in crate::reynolds) struct Discretisation {
     beyond: Vec<f64>,
     /// Film of these faces over that of the first node.
     face_films: Vec<f64>,
-    /// Inlet factors of these faces.
-    inlet_factors: Vec<f64>,
+    /// Inlets of these faces.
+    inlets: Vec<Inlet>,
     /// Squared cosines between flow and gradient of the undeformed gap at these faces.
     alignments: Vec<f64>,
     /// `M` of the faces to the east \[m\].
@@ -128,14 +131,14 @@ impl Discretisation {
             edge_pressure: Vec::new(),
             film_floor: 0.0,
             closed_film: f64::NEG_INFINITY,
-            east_coefficients: vec![0.0; grid.nx()],
-            north_coefficients: vec![0.0; grid.ny()],
+            coefficients: vec![[0.0; 2]; grid.len()],
             wedge: 0.0,
             spin: None,
             squeeze: 0.0,
             pseudo_transient: 0.0,
             fluidity: 0.0,
             rate: 1.0,
+            changes: Changes::new(grid.len()),
             nodes: vec![NodeFlow::default(); grid.len()],
             masses: zeros(),
             beyond: zeros(),
@@ -143,7 +146,7 @@ impl Discretisation {
             theta: vec![1.0; grid.len()],
             advected_fraction: zeros(),
             face_films: vec![1.0; grid.len()],
-            inlet_factors: vec![1.0; grid.len()],
+            inlets: vec![Inlet::NONE; grid.len()],
             alignments: vec![1.0; grid.len()],
             east: zeros(),
             north: zeros(),
@@ -157,6 +160,7 @@ impl Discretisation {
 
     /// Sets speeds, time steps and schemes from the problem.
     pub(in crate::reynolds) fn configure(&mut self, problem: &LubricatedContact<'_>) {
+        self.changes.forget();
         let (dx, dy) = (self.grid.dx(), self.grid.dy());
         let grid_speed = problem.squeeze.map_or(0.0, |s| dx / s.time_step);
         let speed = problem.entrainment_speed.max(grid_speed);
@@ -340,29 +344,27 @@ impl Discretisation {
         }
     }
 
-    /// Updates nodes, faces and entrainment corrections.
+    /// Updates nodes, faces and entrainment corrections; those of nodes whose pressure and film are the ones of the
+    /// last update are up to date.
     fn update_faces(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
+        self.changes.compare(pressure, film);
         // Density, mobility and potential of the nodes.
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
-            self.update_node(lubricant, k, p, h);
+            if self.changes.at(k) {
+                self.update_node(lubricant, k, p, h);
+            }
         }
         if !self.edge_pressure.is_empty() {
             for k in outermost(&self.grid) {
                 self.update_node(lubricant, k, self.edge_pressure[k], film[k]);
             }
         }
-        // Entrainment corrections, then the pressure flow through the faces to the east and to the north.
-        self.update_entrainment();
         let (nx, n) = (self.grid.nx(), self.grid.len());
-        for k in 0..n - 1 {
-            self.east[k] = self.face_flow(k, k + 1, self.along(k)).mobility;
-            let drop = self.nodes[k].potential - self.nodes[k + 1].potential;
-            self.east_flow[k] = self.coefficients(k)[0] * self.east[k] * drop;
-        }
-        for k in 0..n - nx {
-            self.north[k] = self.face_flow(k, k + nx, Direction::Across).mobility;
-            let drop = self.nodes[k].potential - self.nodes[k + nx].potential;
-            self.north_flow[k] = self.coefficients(k)[1] * self.north[k] * drop;
+        for first in (0..n).step_by(nx) {
+            self.update_east_faces(first);
+            if first + nx < n {
+                self.update_north_faces(first);
+            }
         }
         if let Some(spin) = &mut self.spin {
             spin.update(&self.nodes);
@@ -445,6 +447,7 @@ impl Discretisation {
 
     /// Overrides the schemes of the problem until the next [`Self::configure`].
     pub(in crate::reynolds) fn set_scheme(&mut self, scheme: Scheme, face_mobility: FaceMobility) {
+        self.changes.forget();
         self.scheme = scheme;
         self.face_mobility = face_mobility;
     }

@@ -16,6 +16,7 @@ const HELD_COLUMNS: usize = 2;
 impl Discretisation {
     /// Makes this a window of `whole` whose node 0 is the node `first` there.
     pub(in crate::reynolds) fn set_window(&mut self, whole: &Self, first: usize) {
+        self.changes.forget();
         self.face_mobility = whole.face_mobility;
         self.scheme = whole.scheme;
         self.cavitation = whole.cavitation;
@@ -28,14 +29,12 @@ impl Discretisation {
         self.film_temperatures.clear();
         let thinned = if whole.ratios.is_empty() { 0 } else { self.grid.len() };
         self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
-        let (nx, ny, stride) = (self.grid.nx(), self.grid.ny(), whole.grid.nx());
-        let (column, row) = (first % stride, first / stride);
-        self.east_coefficients.copy_from_slice(&whole.east_coefficients[column..column + nx]);
-        self.north_coefficients.copy_from_slice(&whole.north_coefficients[row..row + ny]);
+        let (nx, stride) = (self.grid.nx(), whole.grid.nx());
         for j in 0..self.grid.ny() {
             let there = first + j * stride..first + j * stride + nx;
             let here = j * nx..(j + 1) * nx;
             self.alignments[here.clone()].copy_from_slice(&whole.alignments[there.clone()]);
+            self.coefficients[here.clone()].copy_from_slice(&whole.coefficients[there.clone()]);
             if !whole.film_temperatures.is_empty() {
                 self.film_temperatures.extend_from_slice(&whole.film_temperatures[there.clone()]);
             }
