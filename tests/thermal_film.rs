@@ -66,6 +66,7 @@ fn section<'a>(viscosity: &'a dyn ViscosityLaw, rheology: &'a Rheology) -> FilmS
         response: (0.0, 0.0),
         other_heat: (0.0, 0.0),
         carried: (0.0, 300.0),
+        velocity: [1.0, 0.0, 0.0],
     }
 }
 

@@ -32,6 +32,13 @@ impl Collocation {
         Self { nodes, weights, green }
     }
 
+    /// Adds `factor` times the weights of the collocation points in the value at `z` of the polynomial through them.
+    pub(super) fn add_interpolation(&self, z: f64, factor: f64, weights: &mut [f64; POINTS]) {
+        for (j, weight) in weights.iter_mut().enumerate() {
+            *weight += factor * lagrange(&self.nodes, j, z);
+        }
+    }
+
     /// Mean across the film.
     pub(super) fn mean(&self, values: &[f64; POINTS]) -> f64 {
         self.weights.iter().zip(values).map(|(w, value)| w * value).sum()

@@ -45,14 +45,19 @@ impl FilmFlow<'_> {
         self.film[k].max(0.0)
     }
 
-    /// Forward and reverse flow through node `k`, in a row of `nx`.
-    fn streams(&self, k: usize, nx: usize) -> Streams {
+    /// Flow through node `k` in a row of `nx`: that of entrainment, and the whole flow \[m^2/s\].
+    fn through(&self, k: usize, nx: usize) -> [f64; 2] {
         let (through, east) = (self.flows.through[k], &self.flows.east);
         let before = if k.is_multiple_of(nx) { east[k] } else { east[k - 1] };
         let after = if k % nx + 1 < nx { east[k] } else { before };
+        [through - 0.5 * (before + after), through]
+    }
+
+    /// Forward and reverse flow through node `k`, in a row of `nx`.
+    fn streams(&self, k: usize, nx: usize) -> Streams {
+        let [entrained, through] = self.through(k, nx);
         let (speed, sliding) = self.speeds;
-        let skew = if speed > 0.0 { sliding / speed } else { 0.0 };
-        Streams::new(through - 0.5 * (before + after), through, skew)
+        Streams::new(entrained, through, if speed > 0.0 { sliding / speed } else { 0.0 })
     }
 }
 
@@ -125,8 +130,9 @@ impl HeatBalance {
 /// Temperatures of film and surfaces in a contact.
 ///
 /// Each node is a [`FilmSection`]. Sections of a row are coupled by two advecting streams,
-/// `C = rho c (Q+ + Q-) / dx`, first-order upwind: forward flow `Q+` brings the mean temperature of the
-/// upstream node, reverse flow `Q-` that of the downstream node. `Q+ - Q-` is the flow through the section,
+/// `C = rho c (Q+ + Q-) / dx`, first-order upwind: forward flow `Q+` brings the temperature of the layers that move
+/// forward at the upstream node, reverse flow `Q-` that of the layers that move backward at the downstream node.
+/// Reverse flow turns in the hot middle of the film. `Q+ - Q-` is the flow through the section,
 /// entrainment less pressure backflow. In an inlet it is a small difference, so both must be those of the
 /// solved contact. The streams are those of a film of uniform viscosity.
 ///
@@ -135,8 +141,8 @@ impl HeatBalance {
 /// proportion to its heat.
 ///
 /// The heat of pressure flow is the flow through a face times the pressure drop, half to each of its nodes.
-/// The heat of compression is `T a_V Q dp/dx`. Not included: conduction along the film, advection by flow
-/// across x, and separate temperatures of the layers.
+/// The heat of compression is `T a_V Q dp/dx`. Not included: conduction along the film and advection by flow
+/// across x. Advection cools all layers of a section alike.
 #[derive(Debug, Clone)]
 pub struct FilmTemperature {
     /// The grid of the contact.
@@ -149,6 +155,10 @@ pub struct FilmTemperature {
     flash: FlashTemperature,
     /// Mean temperature across the film \[K\].
     mean: Vec<f64>,
+    /// Temperatures of the layers that move forward and of those that move backward \[K\].
+    streams: [Vec<f64>; 2],
+    /// Sign of the sliding of the second surface against the first.
+    sliding_sign: f64,
     /// Shear stress of the fluid \[Pa\].
     stress: Vec<f64>,
     /// Temperature at the effective viscosity of the pressure flow \[K\].
@@ -192,6 +202,8 @@ impl FilmTemperature {
             solver: SectionSolver::new(properties.profile),
             flash: FlashTemperature::new(grid, bodies, speeds)?,
             mean: zeros(),
+            streams: [zeros(), zeros()],
+            sliding_sign: if speeds[1] < speeds[0] { -1.0 } else { 1.0 },
             stress: zeros(),
             flow_temperature: zeros(),
             rises: [zeros(), zeros()],
@@ -216,8 +228,7 @@ impl FilmTemperature {
         &self.stress
     }
 
-    /// Temperature at the effective viscosity of the pressure flow \[K\]; the mean temperature for the
-    /// parabolic profile.
+    /// Temperature at the effective viscosity of the pressure flow \[K\].
     pub fn flow_temperature(&self) -> &[f64] {
         &self.flow_temperature
     }
@@ -245,7 +256,10 @@ impl FilmTemperature {
         self.check(flow)?;
         self.find_other_heat(flow);
         if self.is_cool {
-            self.mean.fill(flow.bulk_temperature);
+            let [forward, backward] = &mut self.streams;
+            for field in [&mut self.mean, forward, backward] {
+                field.fill(flow.bulk_temperature);
+            }
             self.is_cool = false;
         }
         let (mut passes, mut change) = (0, f64::INFINITY);
@@ -261,7 +275,8 @@ impl FilmTemperature {
             let report = self.flash.rises_through_film(&self.heat, &self.resistance, [first, second])?;
             let moved = self.rises.iter().flatten().zip(self.new_rises.iter().flatten());
             let moved = moved.fold(self.moved, |largest, (old, new)| largest.max((new - old).abs()));
-            change = moved.max(report.mismatch) / (TOLERANCE * report.maximum).max(LEAST_CHANGE);
+            let film = self.mean.iter().fold(0.0_f64, |most, mean| most.max(mean - flow.bulk_temperature));
+            change = moved.max(report.mismatch) / (TOLERANCE * report.maximum.max(film)).max(LEAST_CHANGE);
             std::mem::swap(&mut self.rises, &mut self.new_rises);
             passes += 1;
         }
@@ -323,10 +338,38 @@ impl FilmTemperature {
         self.pressure_heat[o] += 0.5 * made;
     }
 
+    /// Flow into node `k` along x by both streams \[m^2/s\], and its temperature \[K\].
+    fn inflow(&self, flow: &FilmFlow<'_>, k: usize) -> (f64, f64) {
+        let nx = self.grid.nx();
+        let own = flow.streams(k, nx);
+        let (along, upstream) = match k % nx {
+            0 => (own.along, flow.bulk_temperature),
+            _ => (flow.streams(k - 1, nx).along, self.streams[0][k - 1]),
+        };
+        // Inflow from behind the box has the temperature of the outflow.
+        let (back, downstream) = match k % nx + 1 {
+            last if last == nx => (own.back, upstream),
+            _ => (flow.streams(k + 1, nx).back, self.streams[1][k + 1]),
+        };
+        let both = along + back;
+        let share = if both > 0.0 { along / both } else { 1.0 };
+        (both, share * upstream + (1.0 - share) * downstream)
+    }
+
+    /// Velocity in the film of node `k`, see [`FilmSection::velocity`]; in units of the mean speed.
+    fn velocity(&self, flow: &FilmFlow<'_>, k: usize) -> [f64; 3] {
+        let [entrained, through] = flow.through(k, self.grid.nx());
+        let (speed, sliding) = flow.speeds;
+        if entrained > 0.0 && speed > 0.0 {
+            [1.0, self.sliding_sign * sliding / speed, 1.0 - through / entrained]
+        } else {
+            [0.0, 0.0, -through.signum()]
+        }
+    }
+
     /// Film temperatures under the current surface temperatures; returns generated and advected heat per
     /// area, summed over the nodes.
     fn heat_film(&mut self, flow: &FilmFlow<'_>) -> (f64, f64) {
-        let nx = self.grid.nx();
         let (sliding, law) = (flow.speeds.1, Saturating::new(flow.lubricant.viscosity()));
         let per_flow = self.properties.heat_capacity / self.grid.dx();
         // Upper bound of the surface response: the ratio of the largest rise to the largest heat.
@@ -334,13 +377,7 @@ impl FilmTemperature {
         let most = hottest / self.heat.iter().fold(f64::MIN_POSITIVE, |largest, heat| largest.max(*heat));
         let (mut generated, mut carried) = (0.0, 0.0);
         for k in 0..self.grid.len() {
-            let upstream = if k % nx == 0 { flow.bulk_temperature } else { self.mean[k - 1] };
-            // Inflow from behind the box has the temperature of the outflow.
-            let downstream = if k % nx + 1 == nx { upstream } else { self.mean[k + 1] };
-            let streams = flow.streams(k, nx);
-            let both = streams.along + streams.back;
-            let share = if both > 0.0 { streams.along / both } else { 1.0 };
-            let around = share * upstream + (1.0 - share) * downstream;
+            let (both, around) = self.inflow(flow, k);
             let film = flow.film_at(k);
             let rises = [self.rises[0][k], self.rises[1][k]];
             let mean_rise = 0.5 * (rises[0] + rises[1]);
@@ -358,10 +395,12 @@ impl FilmTemperature {
                 response: (response, self.conducted[k]),
                 other_heat,
                 carried: (per_flow * both, around),
+                velocity: self.velocity(flow, k),
             });
             self.moved = self.moved.max((heat.mean - self.mean[k]).abs());
             (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
             self.flow_temperature[k] = heat.flow_temperature;
+            (self.streams[0][k], self.streams[1][k]) = (heat.streams[0], heat.streams[1]);
             generated += heat.stress * sliding + other_heat.0 + other_heat.1 + flow.boundary_heat[k];
             carried += heat.carried;
         }

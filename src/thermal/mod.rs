@@ -7,6 +7,7 @@
 
 mod collocation;
 mod field;
+mod layers;
 mod properties;
 mod section;
 mod streams;

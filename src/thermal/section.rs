@@ -1,6 +1,7 @@
 //! The film at one node: temperature profile, shear stress and viscosity.
 
 use super::collocation::{Collocation, POINTS};
+use super::layers::Layers;
 use crate::lubricant::{Rheology, ViscosityLaw};
 
 /// Relative tolerance of the shear heat.
@@ -35,10 +36,10 @@ pub enum FilmProfile {
 ///
 /// with `du/dz = F(tau)/eta(p, T)` of the rheology and the heat `s` independent of shear: dissipation of the
 /// pressure flow `q_p` (proportional to the square of the distance from the midplane), heat of compression
-/// `q_c`, less the advected heat `C (T_m - T_a)`, the last two uniform across the film. `T_m` is the mean
-/// across the film. For a uniform viscosity
+/// `q_c`, less the advected heat `q_a = C (T_u - T_a)`, the last two uniform across the film. `T_u` is the mean
+/// across the film weighted by the magnitude of the velocity. For a uniform viscosity the mean across the film is
 ///
-/// `T_m = (T_1 + T_2)/2 + h/(12 k) [tau u_s + q_c - C (T_m - T_a)] + h/(20 k) q_p`.
+/// `T_m = (T_1 + T_2)/2 + h/(12 k) (tau u_s + q_c - q_a) + h/(20 k) q_p`.
 ///
 /// The surface temperatures may respond to the heat that leaves the film: `T_i + R (q - q_0)`.
 #[derive(Debug, Clone, Copy)]
@@ -65,6 +66,8 @@ pub struct FilmSection<'a> {
     pub other_heat: (f64, f64),
     /// Advection: `C` \[W/(m^2 K)\] and the inflow temperature `T_a` \[K\].
     pub carried: (f64, f64),
+    /// Velocity `v_0 + v_1 y - 6 v_2 (1/4 - y^2)` in the film, `y` from -1/2 at the first surface to 1/2; in any unit.
+    pub velocity: [f64; 3],
 }
 
 /// Result of [`SectionSolver::solve`].
@@ -84,6 +87,9 @@ pub struct FilmHeat {
     pub conducted: f64,
     /// Heat advected by the flow \[W/m^2\].
     pub carried: f64,
+    /// Temperatures of the layers that move forward and of those that move backward, weighted by their velocity
+    /// \[K\].
+    pub streams: [f64; 2],
 }
 
 /// Solver of film sections; owns the collocation rule.
@@ -95,6 +101,7 @@ pub struct FilmHeat {
 /// let section = FilmSection {
 ///     viscosity: &Barus::new(0.1, 20e-9)?, rheology: &Rheology::newtonian(), conductivity: 0.14, pressure: 0.0,
 ///     film: 1e-6, theta: 1.0, sliding: 1.0, surfaces: [300.0; 2], response: (0.0, 0.0), other_heat: (0.0, 0.0), carried: (0.0, 300.0),
+///     velocity: [1.0, 0.0, 0.0],
 /// };
 /// let heat = SectionSolver::new(FilmProfile::Parabola).solve(&section);
 /// assert!((heat.mean - 300.0 - 0.1 / (12.0 * 0.14)).abs() < 1e-9);
@@ -112,7 +119,8 @@ pub struct SectionSolver {
 /// Film state for a trial value of the shear heat.
 #[derive(Debug, Clone, Copy)]
 struct Trial {
-    mean: f64,
+    /// Temperatures at the collocation points \[K\].
+    temperature: [f64; POINTS],
     stress: f64,
     flow_viscosity: f64,
     carried: f64,
@@ -129,28 +137,34 @@ impl SectionSolver {
     /// unique.
     #[must_use]
     pub fn solve(&self, section: &FilmSection<'_>) -> FilmHeat {
+        let layers = Layers::new(&self.rule, section.velocity);
         // Uniform initial heat profile.
         let mut shape = [1.0; POINTS];
-        let mut trial = self.trial(section, 0.0, &mut shape);
+        let mut trial = self.trial(section, &layers, 0.0, &mut shape);
         let mut heat = trial.stress * section.sliding;
         if heat > 0.0 {
-            (heat, trial) = self.find(section, heat, &mut shape);
+            (heat, trial) = self.find(section, &layers, heat, &mut shape);
         }
         let (by_pressure, by_compression) = section.other_heat;
         let conducted = heat + by_pressure + by_compression - trial.carried;
-        let Trial { mean, stress, flow_viscosity, carried } = trial;
-        let flow_temperature = match self.profile {
-            FilmProfile::Parabola => mean,
-            FilmProfile::Collocation => section.temperature_of(flow_viscosity, mean),
-        };
-        FilmHeat { mean, stress, flow_viscosity, flow_temperature, conducted, carried }
+        let Trial { temperature, stress, flow_viscosity, carried } = trial;
+        let mean = self.rule.mean(&temperature);
+        let flow_temperature = section.temperature_of(flow_viscosity, mean);
+        let streams = [&layers.forward, &layers.backward].map(|weights| Layers::mean(weights, &temperature));
+        FilmHeat { mean, stress, flow_viscosity, flow_temperature, conducted, carried, streams }
     }
 
     /// Root of the heat equation between the isothermal heat `most` and the heat under the temperature that
     /// `most` causes.
-    fn find(&self, section: &FilmSection<'_>, most: f64, shape: &mut [f64; POINTS]) -> (f64, Trial) {
+    fn find(
+        &self,
+        section: &FilmSection<'_>,
+        layers: &Layers,
+        most: f64,
+        shape: &mut [f64; POINTS],
+    ) -> (f64, Trial) {
         let mut excess = |heat: f64| {
-            let trial = self.trial(section, heat, shape);
+            let trial = self.trial(section, layers, heat, shape);
             // The logarithm requires a positive stress.
             let made = (trial.stress * section.sliding).max(f64::MIN_POSITIVE);
             (made.ln() - heat.ln(), trial)
@@ -189,37 +203,56 @@ impl SectionSolver {
     }
 
     /// Film state for the shear heat `heat` \[W/m^2\].
-    fn trial(&self, section: &FilmSection<'_>, heat: f64, shape: &mut [f64; POINTS]) -> Trial {
+    fn trial(
+        &self,
+        section: &FilmSection<'_>,
+        layers: &Layers,
+        heat: f64,
+        shape: &mut [f64; POINTS],
+    ) -> Trial {
         match self.profile {
-            FilmProfile::Parabola => parabola(section, heat),
-            FilmProfile::Collocation => self.collocate(section, heat, shape),
+            FilmProfile::Parabola => self.parabola(section, layers, heat),
+            FilmProfile::Collocation => self.collocate(section, layers, heat, shape),
         }
     }
 
-    fn collocate(&self, section: &FilmSection<'_>, heat: f64, shape: &mut [f64; POINTS]) -> Trial {
+    /// Film state under the viscosities at two temperatures: the stress has that at the mean, the pressure flow that
+    /// at the mean weighted by the square of the distance from the midplane, which is its share of the flow under a
+    /// uniform viscosity.
+    fn parabola(&self, section: &FilmSection<'_>, layers: &Layers, heat: f64) -> Trial {
         let rule = &self.rule;
-        let per_flux = section.film / section.conductivity;
-        let mut trial = parabola(section, heat);
+        let uncarried = section.uncarried(rule, |i| heat * half_parabola(rule.nodes[i]));
+        let (temperature, carried) = section.close(rule, layers, heat, &uncarried);
+        let weighted = temperature.iter().zip(rule.nodes.iter().zip(&rule.weights));
+        let flow_mean: f64 = weighted.map(|(t, (z, w))| 12.0 * w * (z - 0.5).powi(2) * t).sum();
+        Trial {
+            temperature,
+            stress: section.stress(section.viscosity_at(rule.mean(&temperature))),
+            flow_viscosity: section.viscosity_at(flow_mean),
+            carried,
+        }
+    }
+
+    fn collocate(
+        &self,
+        section: &FilmSection<'_>,
+        layers: &Layers,
+        heat: f64,
+        shape: &mut [f64; POINTS],
+    ) -> Trial {
+        let rule = &self.rule;
+        let mut trial = self.parabola(section, layers, heat);
         // fixed-point iteration: temperature, fluidity, heat profile
         for _ in 0..MAX_PASSES {
-            let uncarried: [f64; POINTS] = std::array::from_fn(|i| {
-                let z = rule.nodes[i];
-                let y = z - 0.5;
-                let sheared: f64 = rule.green[i].iter().zip(shape.iter()).map(|(green, g)| green * g).sum();
-                let (by_pressure, by_compression) = section.other_heat;
-                let even = 0.5 * z * (1.0 - z) * by_compression;
-                per_flux * (heat * sheared + even + (0.0625 - y.powi(4)) * by_pressure)
-            });
-            let (surfaces, carried, mean) = section.close(heat, rule.mean(&uncarried));
-            let fluidity: [f64; POINTS] = std::array::from_fn(|i| {
-                let z = rule.nodes[i];
-                let lost = per_flux * 0.5 * z * (1.0 - z) * carried;
-                let surface = surfaces[0] + z * (surfaces[1] - surfaces[0]);
-                1.0 / section.viscosity_at(surface + uncarried[i] - lost)
-            });
+            let sheared = |i: usize| -> f64 {
+                rule.green[i].iter().zip(shape.iter()).map(|(green, g)| green * g).sum()
+            };
+            let uncarried = section.uncarried(rule, |i| heat * sheared(i));
+            let (temperature, carried) = section.close(rule, layers, heat, &uncarried);
+            let fluidity = temperature.map(|temperature| 1.0 / section.viscosity_at(temperature));
             let all = rule.mean(&fluidity);
             let stress = section.stress(1.0 / all);
-            trial = Trial { mean, stress, flow_viscosity: self.flow_viscosity(&fluidity), carried };
+            trial = Trial { temperature, stress, flow_viscosity: self.flow_viscosity(&fluidity), carried };
             let mut change = 0.0_f64;
             for (share, fluidity) in shape.iter_mut().zip(&fluidity) {
                 let new = fluidity / all;
@@ -245,30 +278,43 @@ impl SectionSolver {
     }
 }
 
-/// Film state with uniform viscosity.
-fn parabola(section: &FilmSection<'_>, heat: f64) -> Trial {
-    let (by_pressure, by_compression) = section.other_heat;
-    let per_flux = section.film / section.conductivity;
-    let uncarried = per_flux * ((heat + by_compression) / 12.0 + by_pressure / 20.0);
-    let (_, carried, mean) = section.close(heat, uncarried);
-    let viscosity = section.viscosity_at(mean);
-    Trial { mean, stress: section.stress(viscosity), flow_viscosity: viscosity, carried }
+/// Rise of a film under uniform heat of one, in units of film over conductivity.
+fn half_parabola(z: f64) -> f64 {
+    0.5 * z * (1.0 - z)
 }
 
 impl FilmSection<'_> {
-    /// Surface temperatures, advected heat and mean temperature, for a film whose mean temperature without
-    /// advection exceeds that of the surfaces by `uncarried`.
-    fn close(&self, heat: f64, uncarried: f64) -> ([f64; 2], f64, f64) {
+    /// Temperatures at the collocation points above those between the surfaces, without advection; `sheared(i)` is
+    /// the part of the shear heat in units of film over conductivity.
+    fn uncarried(&self, rule: &Collocation, sheared: impl Fn(usize) -> f64) -> [f64; POINTS] {
+        let (by_pressure, by_compression) = self.other_heat;
+        std::array::from_fn(|i| {
+            let z = rule.nodes[i];
+            let driven = (0.0625 - (z - 0.5).powi(4)) * by_pressure;
+            self.film / self.conductivity * (sheared(i) + half_parabola(z) * by_compression + driven)
+        })
+    }
+
+    /// Temperatures at the collocation points and advected heat, from the rises without advection.
+    fn close(
+        &self,
+        rule: &Collocation,
+        layers: &Layers,
+        heat: f64,
+        uncarried: &[f64; POINTS],
+    ) -> ([f64; POINTS], f64) {
         let (by_pressure, by_compression) = self.other_heat;
         let (response, before) = self.response;
-        let (capacity, upstream) = self.carried;
+        let (capacity, inflow) = self.carried;
         let follow = response * (heat + by_pressure + by_compression - before);
-        let still = 0.5 * (self.surfaces[0] + self.surfaces[1]) + follow + uncarried;
+        let [first, second] = self.surfaces;
+        let still: [f64; POINTS] =
+            std::array::from_fn(|i| first + rule.nodes[i] * (second - first) + follow + uncarried[i]);
         // Advection lowers the film temperature and, through the response, that of the surfaces.
-        let resistance = self.film / (12.0 * self.conductivity) + response;
-        let carried = capacity * (still - upstream) / (1.0 + capacity * resistance);
-        let shift = follow - response * carried;
-        (self.surfaces.map(|surface| surface + shift), carried, still - resistance * carried)
+        let resistance = rule.nodes.map(|z| self.film / self.conductivity * half_parabola(z) + response);
+        let mean = |values| Layers::mean(&layers.all, values);
+        let carried = capacity * (mean(&still) - inflow) / (1.0 + capacity * mean(&resistance));
+        (std::array::from_fn(|i| still[i] - resistance[i] * carried), carried)
     }
 
     fn viscosity_at(&self, temperature: f64) -> f64 {

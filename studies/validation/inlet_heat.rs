@@ -116,7 +116,7 @@ pub(crate) fn row(effort: Effort) -> Outcome<Row> {
     let mut numbers = Vec::new();
     for [loading, own, found, murch, integral, gupta] in &found {
         let case = |name: &str| format!("L {loading}, {name}").replace(',', ";");
-        numbers.push(Number::absolute("line: independent solution", case("steel"), "", *own, *found, 0.06));
+        numbers.push(Number::absolute("line: independent solution", case("steel"), "", *own, *found, 0.03));
         numbers.push(Number::absolute(
             "line: Murch and Wilson (1975)",
             case("fit"),
