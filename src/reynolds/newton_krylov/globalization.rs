@@ -1,9 +1,7 @@
 //! Globalization: how far a Newton step goes, towards which equations, and when the iteration has stalled.
 
 use super::homotopy::Homotopy;
-use super::settings::{
-    BACKTRACK_AFTER, GROWTH, LARGEST_CHANGE, LINEARIZATION_ERROR, MAX_HALVINGS, NewtonSettings,
-};
+use super::settings::{BACKTRACK_AFTER, GROWTH, LARGEST_CHANGE, LINEARIZATION_ERROR, NewtonSettings};
 use crate::reynolds::problem::LubricatedContact;
 
 /// Progress: a residual of at most this times the last one that was progress.
@@ -28,6 +26,7 @@ pub(super) struct Globalization {
     halved: f64,
     since_halved: u64,
     stall_window: u64,
+    halvings: u32,
     /// Whether the residual has once not halved in [`BACKTRACK_AFTER`] steps.
     is_tight: bool,
 }
@@ -43,6 +42,15 @@ pub(super) struct StepControl {
     pub(super) step_bound: f64,
     /// Residual above which the step is halved.
     pub(super) acceptable: f64,
+    /// Halvings at most.
+    halvings: u32,
+}
+
+impl StepControl {
+    /// Shares of the step to be tried in turn.
+    pub(super) fn step_lengths(self) -> impl Iterator<Item = f64> {
+        (0..=self.halvings).map(|halvings| 0.5_f64.powi(halvings.cast_signed()))
+    }
 }
 
 impl Globalization {
@@ -60,6 +68,7 @@ impl Globalization {
             halved: f64::INFINITY,
             since_halved: 0,
             stall_window: settings.stall_window,
+            halvings: settings.halvings,
             is_tight: false,
         }
     }
@@ -148,6 +157,7 @@ impl Globalization {
             pseudo_transient,
             step_bound: self.step_bound,
             acceptable: growth * residual,
+            halvings: self.halvings,
         }
     }
 
@@ -156,11 +166,6 @@ impl Globalization {
     pub(super) fn step_share(problem: &LubricatedContact<'_>, largest: f64) -> f64 {
         let in_references = LARGEST_CHANGE * problem.reference_half_widths.0 / problem.grid().dx();
         (in_references * problem.reference_pressure / largest).min(1.0)
-    }
-
-    /// Shares of the step to be tried in turn.
-    pub(super) fn step_lengths() -> impl Iterator<Item = f64> {
-        (0..=MAX_HALVINGS).map(|halvings| 0.5_f64.powi(halvings.cast_signed()))
     }
 
     /// Adapts the step bound to the linearization error of the last step, by a factor of a half to two.

@@ -110,7 +110,7 @@ impl Newton {
         let whole = Globalization::step_share(problem, self.system.largest_pressure_change());
         self.start.save(&self.coupled, state);
         let mut error = 0.0;
-        for length in Globalization::step_lengths() {
+        for length in control.step_lengths() {
             if length < 1.0 {
                 self.start.restore(&mut self.coupled, problem, state);
                 clamp_film_to_contact(&mut self.coupled, problem, state);

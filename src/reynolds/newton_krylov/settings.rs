@@ -44,6 +44,8 @@ pub struct NewtonSettings {
     /// is no continuation. Default 1.03. Where Newton's method stalls or diverges, the contact film is doubled
     /// until it converges, and that solution is followed back to the contact film of the problem.
     pub least_film_ratio: f64,
+    /// Largest number of halvings of a step that raises the residual; at most 50. Default 3.
+    pub halvings: u32,
     /// Krylov steps of a linear solve at most.
     pub(super) krylov_steps: usize,
     /// Reduction of the linear residual in a line contact.
@@ -62,6 +64,7 @@ impl Default for NewtonSettings {
             warm_start_threshold: 100.0,
             stall_window: 80,
             least_film_ratio: 1.03,
+            halvings: 3,
             krylov_steps: KRYLOV_STEPS,
             krylov_tolerance_on_rows: 1e-6,
             eliminates_regions: true,
@@ -93,8 +96,6 @@ pub(super) const LINEARIZATION_ERROR: f64 = 0.3;
 /// Growth of the residual above which a step is halved: the residual has to grow while contact areas separate and
 /// close; no growth at all costs 40 % more steps.
 pub(super) const GROWTH: f64 = 2.0;
-/// Halvings of a step.
-pub(super) const MAX_HALVINGS: u32 = 3;
 /// Steps without a halved residual after which the largest step bound is halved, and steps may no longer raise
 /// the residual: whole steps can oscillate where two films take turns to limit that of a face.
 pub(super) const BACKTRACK_AFTER: u64 = 5;
@@ -163,7 +164,9 @@ impl NewtonSettings {
         let steps = self.stall_window as f64;
         InputError::require(steps >= 1.0, "newton.stall_window", steps, "at least 1")?;
         let ratio = self.least_film_ratio;
-        InputError::require(ratio > 1.0, "newton.least_film_ratio", ratio, "above 1")
+        InputError::require(ratio > 1.0, "newton.least_film_ratio", ratio, "above 1")?;
+        let halvings = f64::from(self.halvings);
+        InputError::require(halvings <= 50.0, "newton.halvings", halvings, "at most 50")
     }
 }
 
@@ -190,5 +193,6 @@ mod tests {
         assert_eq!(field(|s| s.warm_start_threshold = -1.0), "newton.warm_start_threshold");
         assert_eq!(field(|s| s.stall_window = 0), "newton.stall_window");
         assert_eq!(field(|s| s.least_film_ratio = 1.0), "newton.least_film_ratio");
+        assert_eq!(field(|s| s.halvings = 51), "newton.halvings");
     }
 }
