@@ -11,6 +11,7 @@
 //! | the factorized part of Newton's preconditioner | `grid_lu` |
 //! | tridiagonal systems of lines, prescribed films and the unified Reynolds model | `tridiagonal` |
 //! | the linear solve of a Newton step | `gmres` |
+//! | small dense systems | `least_squares` |
 //! | multithreading | `parallel` |
 //!
 //! Callers check lengths. Results are bit-identical for any number of threads: threads share lines, no sum is
@@ -20,6 +21,7 @@ mod convolution;
 mod fft;
 mod gmres;
 mod grid_lu;
+mod least_squares;
 mod parallel;
 mod precision;
 mod real_fft;
@@ -34,6 +36,7 @@ pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
 pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};
+pub(crate) use least_squares::least_squares;
 pub(crate) use parallel::{join, map_lines};
 pub(crate) use real_fft::RealFft2;
 #[cfg(feature = "parallel")]

@@ -1,17 +1,16 @@
 //! Form removal: least-squares plane or polynomial.
 
-use nalgebra::{DMatrix, SymmetricEigen};
+use faer::Mat;
 
 use super::error::SurfaceError;
 use super::measured::Heights;
 use crate::error::InputError;
+use crate::numerics;
 
 /// Highest degree of a polynomial.
 const MAX_DEGREE: usize = 10;
-/// Relative eigenvalue below which a direction is not fitted.
+/// Relative singular value below which a direction is not fitted.
 const DEGENERATE: f64 = 1e-12;
-/// Most iterations for the eigenvectors of at most 66 equations, about two per vector.
-const SWEEPS: usize = 10_000;
 
 impl Heights {
     /// Subtracts the least-squares plane through the defined points. The slope in a direction in which they do not extend
@@ -55,7 +54,7 @@ impl Heights {
         let along_x: Vec<Vec<f64>> = (0..self.nx).map(|i| legendre(centred(i, self.nx), degree)).collect();
         let along_y: Vec<Vec<f64>> = (0..self.ny).map(|j| legendre(centred(j, self.ny), degree)).collect();
         let share = 1.0 / (self.heights.len() - self.undefined()) as f64;
-        let mut matrix = DMatrix::<f64>::zeros(terms.len(), terms.len());
+        let mut matrix = Mat::<f64>::zeros(terms.len(), terms.len());
         let mut right = vec![0.0; terms.len()];
         let count = degree + 1;
         let (mut products, mut sums) = (vec![0.0; count * count], vec![0.0; count]);
@@ -129,21 +128,12 @@ fn legendre(x: f64, degree: usize) -> Vec<f64> {
     values
 }
 
-/// Minimum-norm solution of the normal equations, by the eigenvectors of their matrix.
-pub(super) fn least_squares(matrix: &DMatrix<f64>, right: &[f64]) -> Result<Vec<f64>, SurfaceError> {
+/// Minimum-norm solution of the normal equations.
+pub(super) fn least_squares(matrix: &Mat<f64>, right: &[f64]) -> Result<Vec<f64>, SurfaceError> {
     InputError::require_finite("heights, summed over all points", right)?;
     let unknown = || InputError::Conflict {
         field: "heights".to_owned(),
         reason: "the form of least squares cannot be found".to_owned(),
     };
-    let eigen = SymmetricEigen::try_new(matrix.clone(), f64::EPSILON, SWEEPS).ok_or_else(unknown)?;
-    let largest = eigen.eigenvalues.max();
-    let mut solution = vec![0.0; right.len()];
-    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
-        if *value > DEGENERATE * largest {
-            let weight = right.iter().zip(&vector).map(|(r, v)| v * r).sum::<f64>() / value;
-            solution.iter_mut().zip(&vector).for_each(|(part, v)| *part += weight * v);
-        }
-    }
-    Ok(solution)
+    numerics::least_squares(matrix, right, DEGENERATE).ok_or_else(|| unknown().into())
 }

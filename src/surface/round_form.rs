@@ -1,6 +1,6 @@
 //! Removal of round forms: least-squares sphere or cylinder.
 
-use nalgebra::DMatrix;
+use faer::Mat;
 
 use super::error::SurfaceError;
 use super::form_removal::{centred, least_squares};
@@ -148,8 +148,8 @@ impl SphereFit {
         Some((height + w, [1.0, slope(p, x), slope(q, y), 0.5 * (w * w + square) / root]))
     }
 
-    fn normal_equations(&self, points: &[(usize, [f64; 3])]) -> Option<(DMatrix<f64>, [f64; 4])> {
-        let (mut matrix, mut right) = (DMatrix::<f64>::zeros(4, 4), [0.0; 4]);
+    fn normal_equations(&self, points: &[(usize, [f64; 3])]) -> Option<(Mat<f64>, [f64; 4])> {
+        let (mut matrix, mut right) = (Mat::<f64>::zeros(4, 4), [0.0; 4]);
         let share = 1.0 / points.len() as f64;
         for (_, [x, y, z]) in points {
             let (sphere, derivatives) = self.at(*x, *y)?;
@@ -206,7 +206,7 @@ impl Cylinder {
 
     /// The cylinder of the least-squares quadratic polynomial.
     fn start(points: &[(usize, [f64; 3])]) -> Result<Self, SurfaceError> {
-        let (mut matrix, mut right) = (DMatrix::<f64>::zeros(6, 6), [0.0; 6]);
+        let (mut matrix, mut right) = (Mat::<f64>::zeros(6, 6), [0.0; 6]);
         let share = 1.0 / points.len() as f64;
         for (_, [x, y, z]) in points {
             let terms = [1.0, *x, *y, 0.5 * x * x, x * y, 0.5 * y * y];
@@ -246,8 +246,8 @@ impl Cylinder {
         ))
     }
 
-    fn normal_equations(&self, points: &[(usize, [f64; 3])]) -> Option<(DMatrix<f64>, [f64; 5])> {
-        let (mut matrix, mut right) = (DMatrix::<f64>::zeros(5, 5), [0.0; 5]);
+    fn normal_equations(&self, points: &[(usize, [f64; 3])]) -> Option<(Mat<f64>, [f64; 5])> {
+        let (mut matrix, mut right) = (Mat::<f64>::zeros(5, 5), [0.0; 5]);
         let share = 1.0 / points.len() as f64;
         for (_, [x, y, z]) in points {
             let (height, derivatives) = self.at(*x, *y)?;

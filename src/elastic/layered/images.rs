@@ -6,10 +6,11 @@
 //! cell into closed forms at any ratio of cell, thickness and distance, without periodic images. The approach
 //! is the discrete complex image method of layered media.
 
-use nalgebra::{DMatrix, DVector, SVD};
+use faer::Mat;
 
 use super::Layer;
 use crate::error::InputError;
+use crate::numerics;
 
 /// Smallest image depth over the thickness; depths form a geometric sequence. The nearest images lie at twice
 /// the thickness, the farthest at the bending length of the stiffest layer, its thickness times the cube root
@@ -27,8 +28,6 @@ const SAMPLES: usize = 400;
 const ZERO_WEIGHT: f64 = 10.0;
 /// Relative threshold below which singular values are rounding errors.
 const RANK_TOLERANCE: f64 = 1e-14;
-/// Iteration limit of the singular value decomposition; each value takes about two.
-const SVD_ITERATIONS: usize = 10_000;
 /// Deviation of the transform from one below which the layer equals its substrate.
 const IDENTITY_TOLERANCE: f64 = 1e-13;
 
@@ -52,18 +51,15 @@ pub(super) fn images(layer: &Layer) -> Result<Vec<ImageSource>, InputError> {
     }
     let depths: Vec<f64> = (0..IMAGES).map(|k| SMALLEST_DEPTH * DEPTH_RATIO.powi(k as i32)).collect();
     let weight = |x: f64| if x == 0.0 { ZERO_WEIGHT } else { 1.0 } / layer.transform(x);
-    let matrix =
-        DMatrix::from_fn(waves.len(), IMAGES, |i, k| weight(waves[i]) * (-waves[i] * depths[k]).exp());
+    let matrix = Mat::from_fn(waves.len(), IMAGES, |i, k| weight(waves[i]) * (-waves[i] * depths[k]).exp());
     let none = || InputError::Conflict {
         field: "elastic.layer".to_owned(),
         reason: "the singular value decomposition of its image sources did not converge".to_owned(),
     };
-    let aim = DVector::from_fn(waves.len(), |i, _| weight(waves[i]) * (layer.transform(waves[i]) - 1.0));
-    let decomposition = SVD::try_new(matrix, true, true, f64::EPSILON, SVD_ITERATIONS).ok_or_else(none)?;
-    let rank = RANK_TOLERANCE * decomposition.singular_values.max();
-    let strengths = decomposition.solve(&aim, rank).map_err(|_| none())?;
+    let aim: Vec<f64> = waves.iter().map(|&x| weight(x) * (layer.transform(x) - 1.0)).collect();
+    let strengths = numerics::least_squares(&matrix, &aim, RANK_TOLERANCE).ok_or_else(none)?;
     let image = |(depth, strength): (f64, f64)| ImageSource { depth: depth * layer.thickness(), strength };
-    Ok(depths.into_iter().zip(strengths.iter().copied()).map(image).collect())
+    Ok(depths.into_iter().zip(strengths).map(image).collect())
 }
 
 #[cfg(test)]
