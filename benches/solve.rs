@@ -1,15 +1,16 @@
-//! Time of whole contacts at 128 and 256 cells, each from a cold start with kernel, plan and buffers still to
-//! be made: a full film (M = 20, L = 10), a highly loaded one (M = 1000, L = 10), both of second order, and a
-//! dry rough contact.
+//! Time of whole contacts, each from a cold start with kernel, plan and buffers still to be made: a full film
+//! (M = 20, L = 10), a highly loaded one (M = 1000, L = 10), a dry rough and a mixed contact. Further, a step of a
+//! history, and reading a scene and a measured surface.
 #![expect(clippy::unwrap_used, reason = "benchmark")]
 
+use std::hint::black_box;
 use std::time::Duration;
 
-use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
 use stribeck::Status;
 use stribeck::sim::scene::{GridSpec, Load};
-use stribeck::sim::{Scene, solve_contact};
-use stribeck::surface::Form;
+use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
+use stribeck::surface::{Form, read_bytes};
 
 /// A smooth ball by its Moes load parameter, L = 10.
 fn ball(moes_load: f64, n: usize) -> Scene {
@@ -35,12 +36,16 @@ fn scenes(criterion: &mut Criterion) {
         .sample_size(10)
         .warm_up_time(Duration::from_millis(200))
         .measurement_time(Duration::from_millis(1000));
-    for n in [128, 256] {
+    for n in [64, 128] {
         let mut dry = Scene::azam_2019(n);
         dry.lubricant = None;
-        for (name, scene) in
-            [("full_film", ball(20.0, n)), ("highly_loaded", ball(1000.0, n)), ("dry_rough", dry)]
-        {
+        let scenes = [
+            ("full_film", ball(20.0, n)),
+            ("highly_loaded", ball(1000.0, n)),
+            ("dry_rough", dry),
+            ("mixed", Scene::azam_2019(n)),
+        ];
+        for (name, scene) in scenes {
             group.bench_function(BenchmarkId::new(name, n), |bencher| {
                 bencher.iter(|| {
                     let solution = solve_contact(&scene).unwrap();
@@ -53,5 +58,41 @@ fn scenes(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, scenes);
+fn histories(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("history");
+    group
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_millis(1000));
+    for n in [64, 128] {
+        let scene = Scene::azam_2019(n).with_tribofilm();
+        let mut start = MixedLubricationSim::builder(scene).build().unwrap();
+        // The first contact starts from the dry one.
+        start.step(10.0).unwrap();
+        group.bench_function(BenchmarkId::new("step", n), |bencher| {
+            bencher.iter_batched(
+                || start.clone(),
+                |mut sim| sim.step(10.0).unwrap().contact.load_ratio,
+                BatchSize::LargeInput,
+            );
+        });
+    }
+    group.finish();
+}
+
+fn files(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("read");
+    group.warm_up_time(Duration::from_millis(200)).measurement_time(Duration::from_millis(1000));
+    let text = Scene::azam_2019(128).to_toml().unwrap();
+    group.bench_function("scene", |bencher| bencher.iter(|| Scene::from_toml(black_box(&text)).unwrap()));
+    for name in ["cut.txt", "cut.x3p"] {
+        let bytes = std::fs::read(format!("tests/data/surfaces/{name}")).unwrap();
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| read_bytes(black_box(&bytes), name).unwrap());
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, scenes, histories, files);
 criterion_main!(benches);

@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a panic is how a bench fails")]
 
 use std::hint::black_box;
+use std::time::Duration;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use num_complex::Complex64;
@@ -33,7 +34,7 @@ fn surfaces() -> Vec<(&'static str, RandomSurface)> {
     let noise = self_affine(Synthesis::FilteredNoise, 100e-6);
     let phase = self_affine(Synthesis::RandomPhase, 100e-6);
     // as long as the surface
-    let long_waves = |synthesis| self_affine(synthesis, 2048e-6);
+    let long_waves = |synthesis| self_affine(synthesis, 1024e-6);
     vec![
         ("gaussian", gaussian),
         ("anisotropic", correlated(Autocorrelation::Gaussian, 200e-6, 10e-6)),
@@ -57,30 +58,33 @@ fn surfaces() -> Vec<(&'static str, RandomSurface)> {
 
 /// In place, block by block.
 fn transpose(field: &mut [Complex64]) {
-    for (row, column) in (0..64 * 64).map(|block| (block / 64 * 32, block % 64 * 32)).filter(|(r, c)| r <= c)
+    for (row, column) in (0..32 * 32).map(|block| (block / 32 * 32, block % 32 * 32)).filter(|(r, c)| r <= c)
     {
         for j in row..row + 32 {
             for i in (column..column + 32).filter(|i| *i > j) {
-                field.swap(j * 2048 + i, i * 2048 + j);
+                field.swap(j * 1024 + i, i * 1024 + j);
             }
         }
     }
 }
 
 fn generation(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("generate_2048");
-    group.sample_size(10);
-    let grid = Grid::centred(2048, 2048, 1e-6, 1e-6).unwrap();
+    let mut group = criterion.benchmark_group("generate_1024");
+    group
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_millis(500));
+    let grid = Grid::centred(1024, 1024, 1e-6, 1e-6).unwrap();
     group.throughput(Throughput::Elements(grid.len() as u64));
     // what a surface cannot be faster than: one complex transform there and one back, as plain as it gets
     group.bench_function("two_transforms", |bencher| {
         let mut field = vec![Complex64::new(1.0, 0.0); grid.len()];
-        let plan = FftPlanner::new().plan_fft_forward(2048);
+        let plan = FftPlanner::new().plan_fft_forward(1024);
         bencher.iter(|| {
             for _ in 0..4 {
                 plan.process(&mut field);
                 transpose(&mut field);
-                field.iter_mut().for_each(|value| *value /= 2048_f64.sqrt());
+                field.iter_mut().for_each(|value| *value /= 1024_f64.sqrt());
             }
             black_box(&field);
         });
@@ -100,7 +104,10 @@ fn generation(criterion: &mut Criterion) {
 
 fn parameters(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("parameters_1024");
-    group.sample_size(10);
+    group
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_millis(500));
     let grid = Grid::centred(1024, 1024, 1e-6, 1e-6).unwrap();
     group.throughput(Throughput::Elements(grid.len() as u64));
     let (_, surface) = surfaces()[0];
