@@ -77,11 +77,13 @@
 //! None by default. `serde`: scenes as TOML, checkpoints. `formats`: files of measured surfaces. `npz`,
 //! `vtk`: fields for `NumPy` and `ParaView`. `parallel`: multithreading on large grids, with identical
 //! results. `testing`: conformance checks of custom laws and solvers, random scenes. `fit`: fits of growth-law
-//! constants to measured films.
+//! constants to measured films. `benchmark`: benchmarks of contact solvers and growth laws.
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]
 
 pub mod analytic;
+#[cfg(feature = "benchmark")]
+pub mod benchmark;
 mod boundary;
 mod boundary_friction;
 mod displayed;
@@ -127,4 +129,5 @@ pub use surface_state::SurfaceState;
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 #[doc = include_str!("../docs/getting_started.md")]
+#[cfg_attr(feature = "benchmark", doc = include_str!("../docs/comparing_solvers.md"))]
 struct ReadmeDoctests;

@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::commands::{check, completion, curve, explain, init, run, solve, surface, sweep};
+use crate::commands::{benchmark, check, completion, curve, explain, init, run, solve, surface, sweep};
 use crate::output::Outcome;
 
 /// Rough lubricated contacts that change as they rub.
@@ -41,6 +41,8 @@ enum Command {
     Curve(curve::Options),
     /// Solve a scene under all combinations of some of its values
     Sweep(sweep::Options),
+    /// Compare solvers over lists of cases
+    Benchmark(benchmark::Options),
     /// Report the parameters of a measured surface (ISO 25178-2)
     Surface(surface::Options),
     /// Say what a scene models and what to expect of it, without solving
@@ -65,7 +67,7 @@ stribeck: rough lubricated contacts from scene files
   stribeck run scene.toml --duration 1h              wear, running-in and tribofilm over time
   stribeck explain lubricant.grade                   meaning, unit, default and range of a key
 
-Others: sweep, surface, completion. `stribeck COMMAND --help` lists the options of a command.";
+Others: sweep, benchmark, surface, completion. `stribeck COMMAND --help` lists the options of a command.";
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
@@ -91,6 +93,7 @@ fn main() -> ExitCode {
         Command::Run(options) => run::run(&options),
         Command::Curve(options) => curve::run(&options),
         Command::Sweep(options) => sweep::run(&options),
+        Command::Benchmark(options) => benchmark::run(&options),
         Command::Surface(options) => surface::run(&options),
         Command::Check(options) => check::run(&options),
         Command::Init(options) => init::run(&options),

@@ -3,6 +3,7 @@
 //! (`python/stribeck`).
 
 mod analytic;
+mod benchmark;
 mod convert;
 mod elastic;
 mod error;
@@ -34,6 +35,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<elastic::HalfSpace>()?;
     module.add_class::<laws::Problem>()?;
     module.add_class::<simulation::Simulation>()?;
+    module.add_class::<benchmark::BenchmarkRows>()?;
     module.add_class::<start::BodyStart>()?;
     module.add_class::<surface::Surface>()?;
     module.add_class::<given_film::SolvedFilm>()?;
@@ -41,6 +43,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(convert::quantity, module)?)?;
     module.add_function(wrap_pyfunction!(record::columns, module)?)?;
     module.add_function(wrap_pyfunction!(solution::solve, module)?)?;
+    module.add_function(wrap_pyfunction!(benchmark::run_benchmark, module)?)?;
     module.add_function(wrap_pyfunction!(given_film::solve_film, module)?)?;
     module.add_function(wrap_pyfunction!(given_film::solve_bearing, module)?)?;
     module.add_function(wrap_pyfunction!(laws::check_visits, module)?)?;

@@ -13,6 +13,7 @@ from . import analytic, elastic, laws, metrics, surface
 from ._numbers import units
 from ._stribeck import __version__, set_num_threads as _set_num_threads
 from ._arguments import whole as _whole
+from .benchmarks import Benchmark, benchmark
 from .bodies import BodyStart, read_body
 from .errors import (
     BusyError,
@@ -37,6 +38,7 @@ from .solution import Report, Solution, solve
 from .sweeps import Point, Sweep, sweep
 
 __all__ = [
+    "Benchmark",
     "Body",
     "BodyStart",
     "BusyError",
@@ -66,6 +68,7 @@ __all__ = [
     "UnknownNameError",
     "__version__",
     "analytic",
+    "benchmark",
     "elastic",
     "given_film",
     "laws",

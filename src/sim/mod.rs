@@ -34,6 +34,11 @@ mod rigid_bearing;
 pub mod scene;
 mod single_contact;
 
+#[cfg(feature = "benchmark")]
+use crate::error::InputError;
+#[cfg(feature = "benchmark")]
+use crate::reynolds::ContactSolver;
+
 pub use contact::error_estimate::ErrorEstimate;
 pub use contact::far_field::FloodedInlet;
 pub use contact::formula::FormulaFilm;
@@ -71,3 +76,9 @@ pub use scene::operating_schedule::Conditions;
 pub use scene::{Scene, Schedule};
 pub use single_contact::expectation::{Expectation, ExpectedFilm};
 pub use single_contact::solve_contact;
+
+/// The solver that `scene` names.
+#[cfg(feature = "benchmark")]
+pub(crate) fn solver_of(scene: &Scene) -> Result<Box<dyn ContactSolver>, InputError> {
+    contact::setup::solver(scene).map(|solver| solver as Box<dyn ContactSolver>)
+}

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::fit_error::FitError;
-use super::{FilmGrowthLaw, GrowthCurve};
+use super::{FilmGrowthLaw, GrowthCurve, MeasuredFilm};
 use crate::error::InputError;
 use crate::surface_state::SurfaceState;
 
@@ -90,7 +90,40 @@ pub fn fit_growth_law<L: FilmGrowthLaw>(
     start: &[(&str, f64)],
     law: impl Fn(&[f64]) -> Result<L, InputError>,
 ) -> Result<GrowthFit<L>, FitError> {
-    let (points, constants) = (curve.times().len(), start.len());
+    fit_growth_law_to(&[MeasuredFilm::constant(curve, at)], start, law)
+}
+
+/// Fits the constants of a law to several films together, measured under varying conditions: several temperatures
+/// and stresses determine energies and volumes of activation. Otherwise as [`fit_growth_law`].
+///
+/// # Errors
+/// As of [`fit_growth_law`].
+///
+/// ```
+/// use stribeck::tribochem::{FilmGrowthLaw, MeasuredFilm, ThermalArrhenius, fit_growth_law_to};
+/// let truth = ThermalArrhenius::new(100e-9, 1e8, 1.25e-19)?;
+/// let mut table = String::new();
+/// for temperature in [350.0, 370.0, 390.0] {
+///     let at = stribeck::SurfaceState::new(1e9, temperature).with_in_contact(true);
+///     for k in 1..20 {
+///         let (time, mut states) = (60.0 * f64::from(k), [0.0]);
+///         truth.advance(&at, time, &mut states);
+///         table += &format!("{time},{temperature},1e8,{:e}\n", states[0]);
+///     }
+/// }
+/// let films = MeasuredFilm::from_csv(table.as_bytes())?;
+/// let start = [("h_max", 80e-9), ("prefactor", 1e7), ("energy", 1.2e-19)];
+/// let fit = fit_growth_law_to(&films, &start, |c| ThermalArrhenius::new(c[0], c[1], c[2]))?;
+/// assert!((fit.constants[2].value / 1.25e-19 - 1.0).abs() < 1e-3, "{:?}", fit.constants);
+/// # Ok::<(), stribeck::tribochem::FitError>(())
+/// ```
+pub fn fit_growth_law_to<L: FilmGrowthLaw>(
+    films: &[MeasuredFilm],
+    start: &[(&str, f64)],
+    law: impl Fn(&[f64]) -> Result<L, InputError>,
+) -> Result<GrowthFit<L>, FitError> {
+    let points = films.iter().map(|film| film.times().len()).sum();
+    let constants = start.len();
     if points <= constants {
         return Err(FitError::TooFewPoints { points, constants });
     }
@@ -99,13 +132,14 @@ pub fn fit_growth_law<L: FilmGrowthLaw>(
     }
     let values: Vec<f64> = start.iter().map(|(_, value)| *value).collect();
     law(&values)?;
-    let scale = curve.thicknesses().iter().fold(0.0_f64, |largest, h| largest.max(h.abs()));
+    let thicknesses = films.iter().flat_map(MeasuredFilm::thicknesses);
+    let scale = thicknesses.fold(0.0_f64, |largest, h| largest.max(h.abs()));
     if scale == 0.0 {
         let constant = start.first().map_or_else(String::new, |(name, _)| (*name).to_owned());
         return Err(FitError::Undetermined { constant, reason: "there is no film".to_owned() });
     }
     let logarithms = DVector::from_iterator(constants, values.iter().map(|value| value.ln()));
-    let problem = Problem { curve, at, law: &law, scale, logarithms };
+    let problem = Problem { films, points, law: &law, scale, logarithms };
     let (problem, report) = LevenbergMarquardt::new().with_patience(200).minimize(problem);
     if !report.termination.was_successful() {
         return Err(problem.failure(start, &report.termination));
@@ -113,12 +147,25 @@ pub fn fit_growth_law<L: FilmGrowthLaw>(
     problem.conclude(start)
 }
 
+/// Thickness by `law` at each time of `film` \[m\].
+pub(crate) fn thicknesses<'a, L: FilmGrowthLaw + ?Sized>(
+    law: &'a L,
+    film: &'a MeasuredFilm,
+) -> impl Iterator<Item = f64> + 'a {
+    let (mut states, mut time) = (vec![0.0; law.n_states().max(1)], 0.0);
+    film.times().iter().zip(film.conditions()).map(move |(&next, at)| {
+        law.advance(at, next - time, &mut states);
+        time = next;
+        law.thickness(&states)
+    })
+}
+
 /// Least-squares problem: residuals and Jacobian.
 struct Problem<'a, F> {
-    /// The measurement.
-    curve: &'a GrowthCurve,
-    /// Conditions of the measurement.
-    at: &'a SurfaceState,
+    /// The measurements.
+    films: &'a [MeasuredFilm],
+    /// Number of their points.
+    points: usize,
     /// Constructs the law from the constants.
     law: &'a F,
     /// Largest thickness, the scale of the residuals.
@@ -137,20 +184,17 @@ impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
     /// Relative residuals; `None` if the law rejects the constants.
     fn deviations(&self, logarithms: &DVector<f64>) -> Option<DVector<f64>> {
         let law = self.build(logarithms).ok()?;
-        let mut states = vec![0.0; law.n_states().max(1)];
-        let mut time = 0.0;
-        let measured = self.curve.times().iter().zip(self.curve.thicknesses());
-        let deviations = measured.map(|(&next, film)| {
-            law.advance(self.at, next - time, &mut states);
-            time = next;
-            (law.thickness(&states) - film) / self.scale
-        });
-        let deviations = DVector::from_iterator(self.curve.times().len(), deviations);
+        let mut deviations = Vec::with_capacity(self.points);
+        for film in self.films {
+            let computed = thicknesses(&law, film).zip(film.thicknesses());
+            deviations.extend(computed.map(|(computed, measured)| (computed - measured) / self.scale));
+        }
+        let deviations = DVector::from_vec(deviations);
         deviations.iter().all(|d| d.is_finite()).then_some(deviations)
     }
 
     fn sensitivities(&self) -> Option<DMatrix<f64>> {
-        let mut matrix = DMatrix::zeros(self.curve.times().len(), self.logarithms.len());
+        let mut matrix = DMatrix::zeros(self.points, self.logarithms.len());
         for (k, mut column) in matrix.column_iter_mut().enumerate() {
             let [up, down] = [PROBE, -PROBE].map(|probe| {
                 let mut moved = self.logarithms.clone();
@@ -178,7 +222,7 @@ impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
 
     fn conclude(self, start: &[(&str, f64)]) -> Result<GrowthFit<L>, FitError> {
         let lost = || FitError::NotConverged { reason: "the law rejects the fitted constants".to_owned() };
-        let freedom = (self.curve.times().len() - start.len()) as f64;
+        let freedom = (self.points - start.len()) as f64;
         let deviations = self.deviations(&self.logarithms).ok_or_else(lost)?;
         let spread = (deviations.norm_squared() / freedom).sqrt();
         let variances = variances(&self.sensitivities().ok_or_else(lost)?, start)?;

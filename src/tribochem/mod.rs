@@ -28,6 +28,8 @@ mod ghanbarzadeh;
 mod growth_curve;
 mod heat_partition;
 mod integrate;
+#[cfg(feature = "fit")]
+mod measured_film;
 mod moving_source;
 mod proportional_removal;
 mod stress_activated;
@@ -38,8 +40,10 @@ use std::fmt::Debug;
 pub use activation::Activation;
 pub use barrier::ELECTRON_VOLT;
 pub use film::Tribofilm;
+#[cfg(feature = "benchmark")]
+pub(crate) use fit::thicknesses;
 #[cfg(feature = "fit")]
-pub use fit::{FittedConstant, GrowthFit, fit_growth_law};
+pub use fit::{FittedConstant, GrowthFit, fit_growth_law, fit_growth_law_to};
 #[cfg(feature = "fit")]
 pub use fit_error::FitError;
 pub use flash_temperature::{FlashReport, FlashTemperature, estimate_maximum_rise, estimate_rise_under_flux};
@@ -47,6 +51,8 @@ pub use ghanbarzadeh::Ghanbarzadeh;
 #[cfg(feature = "fit")]
 pub use growth_curve::GrowthCurve;
 pub use integrate::integrate_rates;
+#[cfg(feature = "fit")]
+pub use measured_film::MeasuredFilm;
 pub use moving_source::ThermalBody;
 pub use proportional_removal::ProportionalRemoval;
 pub use stress_activated::StressActivated;

@@ -1,5 +1,6 @@
 //! The subcommands, one a file.
 
+pub(crate) mod benchmark;
 pub(crate) mod check;
 pub(crate) mod completion;
 mod contact_pictures;

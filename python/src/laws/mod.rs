@@ -51,6 +51,11 @@ impl Failure {
     }
 }
 
+/// A solver in Python for contacts on `grid`.
+pub(crate) fn own_solver(law: PyLaw, grid: Grid) -> Box<dyn stribeck::reynolds::ContactSolver> {
+    Box::new(Solver::new(Function::new("solver", law, grid), None))
+}
+
 /// A law in Python: what tells it from others, and its function.
 type PyLaw = (String, Py<PyAny>);
 

@@ -82,8 +82,8 @@ impl ContactSolver for Solver {
         self.check(problem, state, stop)?;
         let called = Python::attach(|py| self.call(py, problem, state, stop));
         let converged = called.map_err(|error| {
+            let reason = format!("it raised an exception: {error}");
             Failure.keep(error);
-            let reason = "it raised an exception".to_owned();
             InputError::Conflict { field: "solver".to_owned(), reason }
         })?;
         let residuals = self.evaluation.evaluate(problem, state)?;

@@ -122,6 +122,8 @@ pub(in crate::sim) struct CustomComponents {
     pub(in crate::sim) density: Option<Box<dyn DensityLaw>>,
     /// Solver, whose solutions are verified.
     pub(in crate::sim) solver: Option<Box<dyn OwnedSolver>>,
+    /// Whether the caller verifies its solutions.
+    pub(in crate::sim) is_checked: bool,
     /// Interrupt of solves.
     pub(in crate::sim) interrupt: Option<Interrupt>,
 }
@@ -162,7 +164,7 @@ impl ContactModel {
             deformation,
             films: CompliantFilms::of(scene, grid.len())?,
             lubricant,
-            verifies: custom.solver.is_some(),
+            verifies: custom.solver.is_some() && !custom.is_checked,
             solver: custom.solver.map_or_else(|| setup::solver(scene), Ok)?,
             rule: setup::stopping_rule(scene)?,
             scheme: scene.scheme(),

@@ -151,6 +151,14 @@ impl SimBuilder {
         self
     }
 
+    /// Replaces the solver by one whose states are checked by the caller and are those of a solver of the crate.
+    #[cfg(feature = "benchmark")]
+    pub(crate) fn checked_solver(mut self, solver: impl ContactSolver + Clone + 'static) -> Self {
+        self.custom.solver = Some(Box::new(solver));
+        self.custom.is_checked = true;
+        self
+    }
+
     /// Sets the plasticity model, with or without one in the scene.
     #[must_use]
     pub fn plasticity(mut self, model: impl PlasticityModel + 'static) -> Self {

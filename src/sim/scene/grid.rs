@@ -95,6 +95,26 @@ impl GridSpec {
         }
     }
 
+    /// The same box with `cells` along x, and cells along y in proportion.
+    #[cfg(feature = "benchmark")]
+    pub(crate) fn with_nx(self, cells: usize) -> Self {
+        let before = self.nx().max(1) as f64;
+        let share = cells as f64 / before;
+        self.with_counts(|count| ((share * count as f64).round() as usize).max(1))
+    }
+
+    /// Cells along x; 0 if they are not given.
+    #[cfg(feature = "benchmark")]
+    pub(crate) fn nx(&self) -> usize {
+        match self {
+            Self::Cells { nx, .. }
+            | Self::Growing { nx, .. }
+            | Self::Row { nx, .. }
+            | Self::Strip { nx, .. } => *nx,
+            Self::Accuracy { .. } => 0,
+        }
+    }
+
     /// Whether the box of a history grows.
     pub(in crate::sim) fn grows(&self) -> bool {
         matches!(self, Self::Growing { .. })

@@ -1,6 +1,9 @@
 //! Own laws for a contact: a film that a solution deposits, a soft liner on steel, an oil that stiffens
 //! exponentially.
 
+#[cfg(feature = "benchmark")]
+pub mod benchmark;
+
 use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::ViscosityLaw;
 use stribeck::tribochem::FilmGrowthLaw;
