@@ -12,27 +12,19 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
-mod changes;
 #[path = "../../examples/command/mod.rs"]
 mod command;
-#[path = "../stability_map/scenes.rs"]
-mod scenes;
 
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Instant;
 
-use changes::{CHANGES, Change};
 use lexopt::prelude::*;
-use scenes::Group;
-use stribeck::reynolds::{NewtonKrylov, NewtonSettings};
+use stribeck::benchmark::{Benchmark, Budget, Case, Cases, Contestant, History, Results};
+use stribeck::reynolds::NewtonSettings;
+use stribeck::sim::Scene;
 use stribeck::sim::scene::Roughness;
-use stribeck::sim::{MixedLubricationSim, Scene};
-use stribeck::surface::Advected;
 
 const USAGE: &str = "\
 usage: cargo run --release -p studies --bin ablation -- [--quick] [--every N] [--seeds N] [--change NAME] [--out DIR]
@@ -43,9 +35,26 @@ usage: cargo run --release -p studies --bin ablation -- [--quick] [--every N] [-
   --change NAME  changes whose names contain NAME (default all)
   --out DIR      where to write ablation.csv (default target/ablation)
 ";
-const THREADS: usize = 2;
-/// Contacts of the history \[-\] and the time between them \[s\].
-const HISTORY: (u32, f64) = (60, 10.0);
+const NONE: &str = "none";
+
+/// Changes of the settings with their names.
+const CHANGES: [(&str, fn(&mut NewtonSettings)); 15] = [
+    ("no continuation", |s| s.least_film_ratio = f64::INFINITY),
+    ("first_contact_film: 1 (no film homotopy)", |s| s.first_contact_film = 1.0),
+    ("first_contact_film x 2", |s| s.first_contact_film *= 2.0),
+    ("warm_start_threshold x 0.1", |s| s.warm_start_threshold *= 0.1),
+    ("warm_start_threshold x 10", |s| s.warm_start_threshold *= 10.0),
+    ("step_bound x 0.5", |s| s.step_bound *= 0.5),
+    ("step_bound x 3", |s| s.step_bound *= 3.0),
+    ("pseudo_transient off", |s| s.pseudo_transient = (0.0, 0.0)),
+    ("pseudo_transient x 2", |s| s.pseudo_transient.0 *= 2.0),
+    ("krylov_tolerance: 0.03", |s| s.krylov_tolerance = 0.03),
+    ("krylov_tolerance: 0.01", |s| s.krylov_tolerance = 0.01),
+    ("krylov_tolerance: 0.3", |s| s.krylov_tolerance = 0.3),
+    ("stall_window x 0.5", |s| s.stall_window /= 2),
+    ("stall_window x 2", |s| s.stall_window *= 2),
+    ("halvings: 1", |s| s.halvings = 1),
+];
 
 struct Options {
     quick: bool,
@@ -66,9 +75,7 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
     while let Some(argument) = parser.next()? {
         match argument {
             Long("quick") => options.quick = true,
-            Long("every") => {
-                options.every = parser.value()?.parse_with(|n| n.parse().map(|n: usize| n.max(1)))?;
-            }
+            Long("every") => options.every = parser.value()?.parse()?,
             Long("seeds") => options.seeds = parser.value()?.parse()?,
             Long("change") => options.change = parser.value()?.string()?,
             Long("out") => options.out = parser.value()?.into(),
@@ -79,61 +86,45 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
     Ok(Some(options))
 }
 
-/// A scene and how many contacts of it are solved, this time apart \[s\].
-struct Job {
-    scene: Scene,
-    contacts: u32,
-    time_step: f64,
-    moves: bool,
-}
-
-/// What a group of contacts costs.
-#[derive(Debug, Clone, Copy, Default)]
-struct Cost {
-    convolutions: f64,
-    seconds: f64,
-    failures: u32,
-}
-
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    let changes = CHANGES.iter().filter(|(name, _)| name.contains(&options.change));
+    let changes = changes.take(if options.quick { 3 } else { usize::MAX });
+    let mut contestants = vec![Contestant::newton(NONE, NewtonSettings::default())?];
+    for (name, apply) in changes {
+        let mut settings = NewtonSettings::default();
+        apply(&mut settings);
+        contestants.push(Contestant::newton(*name, settings)?);
+    }
     let groups = [
         ("reference", reference(options.quick)),
         ("map", map(options)?),
         ("history", history(options.quick)),
     ];
-    let changes = CHANGES.iter().filter(|change| change.name.contains(&options.change));
-    let changes = changes.take(if options.quick { 3 } else { usize::MAX });
     let mut table = String::from(
         "change,group,contacts,convolutions,seconds,failures,relative_convolutions,relative_seconds\n",
     );
-    let defaults = groups.each_ref().map(|(_, jobs)| cost(jobs, &NewtonSettings::default()));
     println!(
         "{:44} {:>10} {:>12} {:>6} {:>6} {:>6}",
         "change", "group", "convolutions", "rel.", "time", "failed"
     );
-    let none = Change { name: "none", apply: |_| () };
-    for change in std::iter::once(&none).chain(changes) {
-        let mut settings = NewtonSettings::default();
-        (change.apply)(&mut settings);
-        for ((name, jobs), before) in groups.iter().zip(defaults) {
-            let now = if change.name == none.name { before } else { cost(jobs, &settings) };
-            let relative = (now.convolutions / before.convolutions, now.seconds / before.seconds);
+    for (group, cases) in groups {
+        let contacts: u32 =
+            cases.iter().filter_map(|case| case.history).map(|history| history.contacts).sum();
+        let benchmark = Benchmark::new(cases).contestants(contestants.clone());
+        let results = benchmark.budget(Budget::unlimited()).threads(2).run()?;
+        let [convolutions, seconds, _] = cost(&results, NONE);
+        for name in results.contestants() {
+            let now = cost(&results, name);
+            let relative = (now[0] / convolutions, now[1] / seconds);
             println!(
-                "{:44} {name:>10} {:12.0} {:6.3} {:6.3} {:6}",
-                change.name, now.convolutions, relative.0, relative.1, now.failures
+                "{name:44} {group:>10} {:12.0} {:6.3} {:6.3} {:6}",
+                now[0], relative.0, relative.1, now[2]
             );
-            // Writing to a string cannot fail.
-            let _ = writeln!(
+            writeln!(
                 table,
-                "{},{name},{},{:.0},{:.2},{},{:.4},{:.4}",
-                change.name,
-                jobs.iter().map(|job| job.contacts).sum::<u32>(),
-                now.convolutions,
-                now.seconds,
-                now.failures,
-                relative.0,
-                relative.1
-            );
+                "{name},{group},{contacts},{:.0},{:.2},{},{:.4},{:.4}",
+                now[0], now[1], now[2], relative.0, relative.1
+            )?;
         }
     }
     std::fs::create_dir_all(&options.out)?;
@@ -141,107 +132,55 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Convolutions, seconds and failures of a contestant.
+fn cost(results: &Results, contestant: &str) -> [f64; 3] {
+    results.of(contestant).fold([0.0; 3], |[convolutions, seconds, failures], row| {
+        let more = if row.all_convolutions.is_nan() { 0.0 } else { row.all_convolutions };
+        [convolutions + more, seconds + row.seconds, failures + f64::from(u8::from(!row.is_solved()))]
+    })
+}
+
 /// Eight pairs of surfaces, hard, soft and fast.
-fn reference(quick: bool) -> Vec<Job> {
+fn reference(quick: bool) -> Vec<Case> {
     let (pairs, cells) = if quick { (1, 32) } else { (8, 128) };
-    let mut jobs = Vec::new();
+    let mut cases = Vec::new();
     for pair in 0..pairs {
-        for variant in 0..3 {
+        for variant in ["hard", "soft", "fast"] {
             let mut scene = Scene::azam_2019(cells);
-            let rough = |rq, seed| Roughness::gaussian(rq, 10e-6, seed);
-            scene.roughness.ball = rough(20e-9, 2 * pair + 1);
-            scene.roughness.disc = rough(130e-9, 2 * pair + 2);
+            scene.roughness.ball = Roughness::gaussian(20e-9, 10e-6, 2 * pair + 1);
+            scene.roughness.disc = Roughness::gaussian(130e-9, 10e-6, 2 * pair + 2);
             if let Some(plastic) = &mut scene.plastic {
                 plastic.film_hardness = None;
-                if variant == 1 {
-                    plastic.hardness = 2e9;
-                }
+                plastic.hardness = if variant == "soft" { 2e9 } else { plastic.hardness };
             }
-            if variant == 2 {
+            if variant == "fast" {
                 scene.motion.entrainment_speed = 1.0;
             }
-            jobs.push(Job { scene, contacts: 1, time_step: 1e-3, moves: false });
+            let case = Case::new(format!("{variant} {pair}"), scene);
+            cases.push(case.with_history(Some(History::new(1, 1e-3))));
         }
     }
-    jobs
+    cases
 }
 
 /// Scenes of the stability map.
-fn map(options: &Options) -> Result<Vec<Job>, Box<dyn Error>> {
-    let seeds = if options.quick { 1 } else { options.seeds };
-    let every = if options.quick { 4 } else { options.every };
-    let mut jobs = Vec::new();
+fn map(options: &Options) -> Result<Vec<Case>, Box<dyn Error>> {
+    let (seeds, every) = if options.quick { (1, 74) } else { (options.seeds, options.every) };
+    let mut all = Vec::new();
     for seed in 1..=seeds {
-        let cases = scenes::cases(false, options.quick, seed)
-            .into_iter()
-            .filter(|case| case.group != Group::Infeasible);
-        for case in cases.step_by(every) {
-            let scene = case.scene()?;
-            let cell = scene.grid()?.dx();
-            let moves = case.cells > 0;
-            let time_step = if moves { f64::from(case.cells) * cell / case.speed } else { 1e-3 };
-            jobs.push(Job { scene, contacts: if moves { 6 } else { 1 }, time_step, moves });
+        let mut cases = Cases::named("map", seed)?;
+        cases.cases.retain(|case| !case.has_tag("infeasible"));
+        for case in cases.every(every).cases {
+            let history = case.history.unwrap_or(History::new(1, 1e-3));
+            all.push(case.with_history(Some(history)));
         }
     }
-    Ok(jobs)
+    Ok(all)
 }
 
 /// One history of the reference scene.
-fn history(quick: bool) -> Vec<Job> {
-    let (contacts, time_step) = if quick { (4, HISTORY.1) } else { HISTORY };
-    vec![Job { scene: Scene::azam_2019(if quick { 32 } else { 64 }), contacts, time_step, moves: false }]
-}
-
-fn cost(jobs: &[Job], settings: &NewtonSettings) -> Cost {
-    let next = AtomicUsize::new(0);
-    let sum = Mutex::new(Cost::default());
-    std::thread::scope(|scope| {
-        for _ in 0..THREADS {
-            scope.spawn(|| {
-                while let Some(job) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let cost = solve(job, settings);
-                    if let Ok(mut sum) = sum.lock() {
-                        sum.convolutions += cost.convolutions;
-                        sum.seconds += cost.seconds;
-                        sum.failures += cost.failures;
-                    }
-                }
-            });
-        }
-    });
-    sum.into_inner().unwrap_or_default()
-}
-
-/// All contacts of a job, up to the first that fails.
-fn solve(job: &Job, settings: &NewtonSettings) -> Cost {
-    let mut cost = Cost::default();
-    let started = Instant::now();
-    let sim =
-        NewtonKrylov::with_settings(settings.clone()).map_err(|error| error.to_string()).and_then(|solver| {
-            let builder = MixedLubricationSim::builder(job.scene.clone()).solver(solver);
-            let builder = if job.moves { builder.motion(Advected).with_squeeze() } else { builder };
-            builder.build().map_err(|error| error.to_string())
-        });
-    match sim {
-        Err(error) => {
-            eprintln!("{error}");
-            cost.failures += 1;
-        }
-        Ok(mut sim) => {
-            for _ in 0..job.contacts {
-                let (report, failed) = match sim.step(job.time_step) {
-                    Ok(record) => (Some(record.report), false),
-                    Err(stribeck::sim::SimError::NotConverged { source, .. }) => (Some(*source.report), true),
-                    Err(_) => (None, true),
-                };
-                cost.convolutions += report.map_or(0.0, |report| report.work.convolutions);
-                if failed {
-                    cost.failures += 1;
-                    break;
-                }
-            }
-        }
-    }
-    cost.seconds = started.elapsed().as_secs_f64();
-    cost
+fn history(quick: bool) -> Vec<Case> {
+    let (contacts, cells) = if quick { (4, 32) } else { (60, 64) };
+    let case = Case::new("history", Scene::azam_2019(cells));
+    vec![case.with_history(Some(History::new(contacts, 10.0)))]
 }

@@ -1,15 +1,15 @@
-//! Steps in time: errors of wear and film of one history against the length and the number of its steps.
+//! Steps in time: errors of wear and film of one history against the number of its steps.
 
 use std::error::Error;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::time::Instant;
 
-use plotters::style::{BLACK, RGBColor};
 use stribeck::sim::{MixedLubricationSim, Scene, StepControl, StepRecord};
 use stribeck::surface::Fixed;
 
-use crate::{Series, Stopwatch};
+use crate::chart::{BLACK, BLUE, Figure, Line, Panel, Pen, XScale};
 
 /// Time of the history \[s\].
 const END: f64 = 2400.0;
@@ -19,82 +19,54 @@ const REFERENCE: f64 = 4.6875;
 /// Largest change of wear or film of any node in a step \[m\].
 const DEPTHS: [f64; 5] = [32e-9, 16e-9, 8e-9, 4e-9, 2e-9];
 
-/// One history.
-pub(crate) struct Row {
-    control: &'static str,
-    /// Length of a fixed step \[s\] or depth of a bounded one \[m\].
-    bound: f64,
-    steps: u64,
-    seconds: f64,
-    convolutions: f64,
-    /// Relative errors of the mean wear and the mean film of the disc.
-    errors: [f64; 2],
-}
-
-/// What a history costs and ends with.
-struct Outcome {
-    steps: u64,
-    seconds: f64,
-    convolutions: f64,
-    values: [f64; 2],
-}
-
-/// The rough reference contact with its tribofilm. The roughness stays where it is: moved at random it would
-/// scatter by more than the steps err.
-fn history(cells: usize, end: f64, control: &StepControl) -> Result<Outcome, Box<dyn Error>> {
+/// Steps, seconds, convolutions, and mean wear and film of the disc of one history of the rough reference contact with its
+/// tribofilm. The roughness stays where it is: moved at random it would scatter by more than the steps err.
+fn history(cells: usize, end: f64, control: &StepControl) -> Result<[f64; 5], Box<dyn Error>> {
     let scene = Scene::azam_2019(cells).with_tribofilm();
     let mut sim = MixedLubricationSim::builder(scene).motion(Fixed).build()?;
-    let watch = Stopwatch::start();
-    let (mut convolutions, mut values) = (0.0, [0.0; 2]);
+    let (started, mut convolutions, mut values) = (Instant::now(), 0.0, [0.0; 2]);
     sim.run_until(end, control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
         convolutions += record.report.work.convolutions;
         values = [record.wear.disc_mean, record.tribofilm.disc_mean];
         ControlFlow::Continue(())
     })?;
-    Ok(Outcome { steps: sim.steps(), seconds: watch.seconds(), convolutions, values })
+    Ok([sim.steps() as f64, started.elapsed().as_secs_f64(), convolutions, values[0], values[1]])
 }
 
-/// All histories.
-pub(crate) fn rows(quick: bool) -> Result<Vec<Row>, Box<dyn Error>> {
+/// Solves all histories, and writes table and figure.
+pub(crate) fn run(quick: bool, folder: &Path) -> Result<(), Box<dyn Error>> {
     let (cells, end, reference, count) =
         if quick { (32, END / 4.0, LENGTHS[4], 3) } else { (64, END, REFERENCE, usize::MAX) };
     let exact = history(cells, end, &StepControl::fixed(reference))?;
-    println!("steps in time: {} steps of {reference} s, {:?}", exact.steps, exact.values);
+    println!("steps in time: {} steps of {reference} s", exact[0]);
     let fixed = LENGTHS.iter().take(count).map(|length| ("fixed", *length, StepControl::fixed(*length)));
     let bounded =
         DEPTHS.iter().take(count).map(|depth| ("bounded", *depth, StepControl::new(LENGTHS[0], *depth)));
-    fixed
-        .chain(bounded)
-        .map(|(control, bound, step)| {
-            let Outcome { steps, seconds, convolutions, values } = history(cells, end, &step)?;
-            let errors = [0, 1].map(|k: usize| (values[k] / exact.values[k] - 1.0).abs());
-            Ok(Row { control, bound, steps, seconds, convolutions, errors })
-        })
-        .collect()
-}
-
-pub(crate) fn write_table(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
-    let mut text =
+    let mut table =
         String::from("control,bound_s_or_m,steps,seconds,convolutions,mean_wear_error,mean_film_error\n");
-    for Row { control, bound, steps, seconds, convolutions, errors } in rows {
+    let pens = [("fixed", BLACK), ("bounded", BLUE)].map(|(name, colour)| (name, Pen::strong(colour)));
+    let mut lines = pens.map(|(_, pen)| [(); 2].map(|()| Line { pen, points: Vec::new() }));
+    for (control, bound, step) in fixed.chain(bounded) {
+        let [steps, seconds, convolutions, wear, film] = history(cells, end, &step)?;
+        let errors = [wear / exact[3] - 1.0, film / exact[4] - 1.0].map(f64::abs);
         let [wear, film] = errors;
-        writeln!(text, "{control},{bound:e},{steps},{seconds:.3},{convolutions:.0},{wear:.3e},{film:.3e}")?;
+        writeln!(table, "{control},{bound:e},{steps},{seconds:.3},{convolutions:.0},{wear:.3e},{film:.3e}")?;
+        for (line, error) in lines[usize::from(control == "bounded")].iter_mut().zip(errors) {
+            line.points.push((steps.log10(), error.log10()));
+        }
     }
-    std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()).into())
-}
-
-/// Errors over the mean length of a step \[s\] and over seconds, a colour for each control.
-pub(crate) fn panels(rows: &[Row], quick: bool) -> [Vec<Series>; 2] {
-    let end = if quick { END / 4.0 } else { END };
-    let costs: [&dyn Fn(&Row) -> f64; 2] = [&|row| end / row.steps as f64, &|row| row.seconds];
-    costs.map(|cost| {
-        let of = |control: &str, colour: RGBColor| {
-            let points = |k: usize| {
-                let of_control = rows.iter().filter(|row| row.control == control && row.errors[k] > 0.0);
-                of_control.map(|row| (cost(row), row.errors[k])).collect()
-            };
-            Series { colour, points: [points(0), points(1)], loose: Vec::new() }
-        };
-        vec![of("fixed", BLACK), of("bounded", RGBColor(0, 114, 178))]
-    })
+    std::fs::write(folder.join("time_steps.csv"), table)?;
+    let [[fixed_wear, fixed_film], [bounded_wear, bounded_film]] = lines;
+    let panels = [
+        ("log10 error of wear", fixed_wear, bounded_wear),
+        ("log10 error of film", fixed_film, bounded_film),
+    ];
+    let figure = Figure {
+        title: "Errors of a history by its steps".to_owned(),
+        x_label: "steps",
+        x_scale: XScale::Decades,
+        legend: vec![(pens[0].1, "equal steps".to_owned()), (pens[1].1, "changes bounded".to_owned())],
+        panels: panels.map(|(y_label, fixed, bounded)| Panel { y_label, lines: vec![fixed, bounded] }).into(),
+    };
+    figure.write(&folder.join("time_steps.svg"))
 }
