@@ -66,7 +66,7 @@ fn unknown_lists_solvers_and_keys_are_refused() {
     assert_refused(&["benchmark", "--solver", "newton"], &["newton", "unknown value"]);
     assert_refused(&["benchmark", "--solver", "auto:halvings=1"], &["unknown key `halvings`"]);
     assert_refused(&["benchmark", "--cases", "no/such.toml"], &["no/such.toml"]);
-    assert_refused(&["benchmark", "--time", "-1 s"], &["--time"]);
+    assert_refused(&["benchmark", "--time=-1 s"], &["--time"]);
     assert_refused(&["benchmark", "--tolerance", "0.5"], &["solver.tolerance"]);
     assert_refused(&["benchmark", "--tag", "nothing"], &["there is no case"]);
 }
