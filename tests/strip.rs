@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use stribeck::analytic::{HertzLine, rectangle_potential, strip_potential};
-use stribeck::elastic::{DeformationModel, LineHalfSpace, PeriodicHalfSpace};
+use stribeck::elastic::{DeformationModel, LineHalfSpace, StripHalfSpace};
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
     Auto, ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, StoppingRule,
@@ -22,7 +22,7 @@ const UNIT: f64 = 2.0 / (PI * MODULUS);
 
 /// Displacements \[m/Pa\] by one cell of a strip at all offsets of columns and rows.
 fn influences(grid: Grid, reference: f64) -> Vec<f64> {
-    let mut body = PeriodicHalfSpace::new(grid, MODULUS, reference).unwrap();
+    let mut body = StripHalfSpace::new(grid, MODULUS, reference).unwrap();
     let mut pressure = vec![0.0; grid.len()];
     pressure[0] = 1.0;
     let mut out = vec![0.0; grid.len()];
@@ -103,7 +103,7 @@ fn kernel_repeats_and_is_symmetric() {
             assert!(error.abs() < 1e-12, "{i}, {j}: {error:e}");
         }
     }
-    let body = PeriodicHalfSpace::new(grid, MODULUS, RADIUS).unwrap();
+    let body = StripHalfSpace::new(grid, MODULUS, RADIUS).unwrap();
     assert!((body.influence(1, 2) / found[2 * 10 + 1] - 1.0).abs() < 1e-12);
     assert!((body.influence(0, 6) / body.influence(0, 1) - 1.0).abs() < 1e-12 || body.influence(0, 6) == 0.0);
 }
@@ -111,9 +111,9 @@ fn kernel_repeats_and_is_symmetric() {
 #[test]
 fn grids_that_are_no_strip_and_short_references_are_rejected() {
     let plain = Grid::centred(10, 7, 1e-6, 1e-6).unwrap();
-    assert!(PeriodicHalfSpace::new(plain, MODULUS, RADIUS).unwrap_err().to_string().contains("Grid::strip"));
+    assert!(StripHalfSpace::new(plain, MODULUS, RADIUS).unwrap_err().to_string().contains("Grid::strip"));
     let strip = Grid::strip(10, 7, [0.0, 1e-3], [0.0, 1e-4]).unwrap();
-    assert!(PeriodicHalfSpace::new(strip, MODULUS, 1e-4).unwrap_err().to_string().contains("reference"));
+    assert!(StripHalfSpace::new(strip, MODULUS, 1e-4).unwrap_err().to_string().contains("reference"));
     assert!(Grid::strip(10, 4, [0.0, 1.0], [0.0, 1.0]).unwrap_err().to_string().contains("grid.ny"));
 }
 
@@ -140,7 +140,7 @@ impl Rollers {
             (grid, Box::new(LineHalfSpace::new(grid, MODULUS, reference).unwrap()))
         } else {
             let grid = Grid::strip(nx, rows, x, [-0.5 * width, 0.5 * width]).unwrap();
-            (grid, Box::new(PeriodicHalfSpace::new(grid, MODULUS, reference).unwrap()))
+            (grid, Box::new(StripHalfSpace::new(grid, MODULUS, reference).unwrap()))
         };
         let gap = grid.nodes().map(|(x, y)| x * x / (2.0 * RADIUS) - heights(x, y)).collect();
         Self { grid, body, gap, hertz }

@@ -21,6 +21,7 @@ mod elastic;
 mod ensemble;
 mod exact_laws;
 mod film_regimes;
+mod flat_contact;
 mod flooded_inlets;
 mod formats;
 mod friction;

@@ -178,6 +178,12 @@ pub(crate) fn load(path: &Path) -> Result<Scene, String> {
                 path.display()
             );
         }
+        if text.contains("unknown value `flat`") {
+            return format!(
+                "{}: form.kind = \"flat\" is a contact of flat surfaces, which `stribeck solve` takes",
+                path.display()
+            );
+        }
         text
     })
 }

@@ -7,6 +7,7 @@ mod benchmark;
 mod convert;
 mod elastic;
 mod error;
+mod flat_contact;
 mod given_film;
 mod interrupt;
 mod laws;
@@ -45,6 +46,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(solution::solve, module)?)?;
     module.add_function(wrap_pyfunction!(benchmark::run_benchmark, module)?)?;
     module.add_function(wrap_pyfunction!(given_film::solve_film, module)?)?;
+    module.add_function(wrap_pyfunction!(flat_contact::solve_flat, module)?)?;
     module.add_function(wrap_pyfunction!(given_film::solve_bearing, module)?)?;
     module.add_function(wrap_pyfunction!(laws::check_visits, module)?)?;
     module.add_function(wrap_pyfunction!(surface::generate, module)?)?;

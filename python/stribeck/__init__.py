@@ -32,6 +32,7 @@ from .errors import (
     UnknownNameError,
 )
 from .film import GivenFilm, RigidBearing, given_film, rigid_bearing
+from .flat import FlatContact, flat_contact
 from .history import Body, History, Record, Simulation
 from .scene import Grid, Scene
 from .solution import Report, Solution, solve
@@ -44,6 +45,7 @@ __all__ = [
     "BusyError",
     "CheckpointError",
     "FileError",
+    "FlatContact",
     "GivenFilm",
     "Grid",
     "History",
@@ -70,6 +72,7 @@ __all__ = [
     "analytic",
     "benchmark",
     "elastic",
+    "flat_contact",
     "given_film",
     "laws",
     "metrics",

@@ -76,6 +76,25 @@ impl Westergaard {
         Ok(self.wavelength / PI * ratio.min(1.0).sqrt().asin())
     }
 
+    /// Mean gap \[m\] under `mean_pressure` \[Pa\], `A (1 - r + r ln r)` with `r = p/p*`; zero for complete contact. Its
+    /// derivative is that of strip punches at the crests, `d(gap)/dp = 2 wavelength/(pi E') ln(p/p*)`.
+    ///
+    /// # Errors
+    /// See [`Westergaard::contact_half_width`].
+    ///
+    /// ```
+    /// # use stribeck::analytic::Westergaard;
+    /// let wave = Westergaard { amplitude: 1e-6, wavelength: 100e-6, equivalent_modulus: 200e9 };
+    /// let half = 0.5 * wave.full_contact_pressure()?;
+    /// assert!((wave.mean_gap(half)? / 0.15343e-6 - 1.0).abs() < 1e-4);
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    pub fn mean_gap(&self, mean_pressure: f64) -> Result<f64, InputError> {
+        let ratio = self.pressure_ratio(mean_pressure)?;
+        let share = if ratio >= 1.0 || ratio == 0.0 { 0.0 } else { ratio * ratio.ln() };
+        Ok(self.amplitude * (1.0 - ratio.min(1.0) + share))
+    }
+
     /// Pressure \[Pa\] at the distance `x` \[m\] from a crest under `mean_pressure` \[Pa\]:
     /// `p(x) = 2 p_mean cos(t)/sin^2(t_c) sqrt(sin^2(t_c) - sin^2(t))` with `t = pi x/wavelength`,
     /// `t_c = pi c/wavelength`; with complete contact `p(x) = p_mean + p* cos(2 t)`.

@@ -4,8 +4,8 @@
 //! field and the influence coefficients of near nodes. [`ResponseApproximations`] are cheaper operators that
 //! speed solvers up. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence coefficients,
 //! DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts,
-//! [`PeriodicHalfSpace`] that under loads that repeat across the flow, and
-//! [`LayeredHalfSpace`] either of them with a bonded [`Layer`]. [`WithLocalCompliance`] adds the compliance
+//! [`StripHalfSpace`] that under loads that repeat across the flow, [`PeriodicHalfSpace`] that under loads that repeat
+//! along both axes, and [`LayeredHalfSpace`] either of them with a bonded [`Layer`]. [`WithLocalCompliance`] adds the compliance
 //! of a thin [`BondedFilm`] to any of them. [`direct_displacement`] is the slow direct sum that verifies the
 //! half-space. [`subsurface_stress`] and [`stress_extremes`] compute stresses below the surface,
 //! [`LayeredStress`] those in and below a layer.
@@ -19,6 +19,7 @@ mod line;
 mod local_compliance;
 mod periodic;
 mod response;
+mod strip;
 mod subsurface;
 
 use std::fmt::Debug;
@@ -31,6 +32,7 @@ pub use layered::{Layer, LayerStressExtremes, LayeredHalfSpace, LayeredStress, L
 pub use line::LineHalfSpace;
 pub use local_compliance::WithLocalCompliance;
 pub use periodic::PeriodicHalfSpace;
+pub use strip::StripHalfSpace;
 pub use subsurface::{Extreme, StressExtremes, StressField, stress_extremes, subsurface_stress};
 
 use crate::error::InputError;

@@ -1,49 +1,49 @@
-//! The elastic half-space under loads that repeat across the flow, by FFTs.
-//!
-//! The grid is a [strip](Grid::strip): free along x, periodic along y. The mean over a period behaves as a line
-//! load, whose displacement has no limit at infinity, hence the reference distance.
+//! The elastic half-space under loads that repeat along both axes, by one real transform.
 
-use std::f64::consts::PI;
+use std::f64::consts::TAU;
+use std::sync::Arc;
 
-use super::line::require_reference;
 use super::response::ElasticResponse;
 use super::{DeformationModel, NEAR, ResponseApproximations};
-use crate::analytic::rectangle_potential;
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::numerics::{Convolution, ConvolutionPlan};
 
-/// Periods on each side whose cells are summed one by one; the sum over all further ones is an integral.
-const NEAR_PERIODS: i32 = 8;
+/// Relative difference up to which two lengths are the same period.
+const SAME_PERIOD: f64 = 1e-9;
 
-/// Two half-spaces pressed together under a pressure that repeats along y with the period `W` of a strip.
+/// Least displacement over that of the loaded node.
+const ROUNDING: f64 = 1e-12;
+
+/// Two half-spaces pressed together under a pressure that repeats along x and y with the size of the grid.
 ///
-/// A cell of a period acts together with its images,
-/// `u(x, y) = 2/(pi E') lim [sum over |q| <= Q of f(x, y + q W) + 2 dx dy/W ln(reference/(2 Q W))]` with Love's potential
-/// `f` of the cell. For the mean over a period this is [`LineHalfSpace`](super::LineHalfSpace), zero at the distance
-/// `reference` from a line load; another reference shifts `u` and the approach only.
+/// A wave of pressure with the wave number `q` displaces by a wave, `u = 4 p/(E' q)`. Pressures between nodes are those of
+/// the waves that the grid resolves. The displacement under the mean pressure of an endless plane has no limit; it is
+/// set such that a pressure at one node displaces the node that moves least by zero. Another choice shifts the
+/// approach by a constant times the mean pressure. A grid of one row has waves along x alone, in plane strain.
 ///
 /// `E'` is the equivalent modulus, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`. Cost: one forward and one inverse real FFT
-/// of 2 N points for N nodes. Cloning shares the plan.
+/// of N points for N nodes. Cloning shares the plan.
+///
+/// Source: Stanley, H. M. and Kato, T. (1997), Journal of Tribology 119, 481-485.
 ///
 /// ```
+/// use std::f64::consts::TAU;
 /// use stribeck::Grid;
-/// use stribeck::elastic::{DeformationModel, LineHalfSpace, PeriodicHalfSpace};
-/// let (x, y) = ([-1e-4, 1e-4], [-2e-5, 2e-5]);
-/// let mut strip = PeriodicHalfSpace::new(Grid::strip(64, 16, x, y)?, 230e9, 10e-3)?;
-/// let mut line = LineHalfSpace::new(Grid::from_edges(64, 1, x, [-0.5, 0.5])?, 230e9, 10e-3)?;
-/// // Equal rows deflect as a line contact.
-/// let (mut rows, mut row) = ([0.0; 64 * 16], [0.0; 64]);
-/// strip.displacement(&[1e9; 64 * 16], &mut rows)?;
-/// line.displacement(&[1e9; 64], &mut row)?;
-/// assert!((rows[8 * 64 + 20] / row[20] - 1.0).abs() < 1e-7);
+/// use stribeck::elastic::{DeformationModel, PeriodicHalfSpace};
+/// let grid = Grid::centred(32, 24, 1e-6, 1e-6)?;
+/// let mut body = PeriodicHalfSpace::new(grid, 230e9)?;
+/// let wave: Vec<f64> = grid.nodes().map(|(x, _)| (TAU * x / 32e-6).cos()).collect();
+/// let mut out = vec![0.0; grid.len()];
+/// body.displacement(&wave, &mut out)?;
+/// let exact = 4.0 * 32e-6 / (TAU * 230e9);
+/// assert!(wave.iter().zip(&out).all(|(p, u)| (u - exact * p).abs() < 1e-12 * exact));
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct PeriodicHalfSpace {
     /// `E'` \[Pa\].
     equivalent_modulus: f64,
-    /// Distance of zero displacement \[m\].
-    reference: f64,
     /// Influence coefficients by rows and columns of offset \[m/Pa\].
     near: [[f64; NEAR + 1]; NEAR + 1],
     /// Convolution with all influence coefficients.
@@ -51,59 +51,43 @@ pub struct PeriodicHalfSpace {
 }
 
 impl PeriodicHalfSpace {
-    /// Half-space under the strip `grid` with equivalent modulus `E'` \[Pa\] and displacements relative to those at
-    /// the distance `reference` \[m\].
+    /// Half-space with the period of `grid` along both axes and the equivalent modulus `E'` \[Pa\].
     ///
     /// # Errors
-    /// A grid that is no strip. A modulus that is not finite and positive. A reference below the length of the strip,
-    /// which would make the influence of distant nodes negative.
-    pub fn new(grid: Grid, equivalent_modulus: f64, reference: f64) -> Result<Self, InputError> {
-        if !grid.is_strip() {
-            return Err(InputError::Conflict {
-                field: "grid".to_owned(),
-                reason: "its rows do not repeat; use Grid::strip".to_owned(),
-            });
+    /// A strip, whose period is across alone. A grid of one node. A modulus that is not finite and positive.
+    pub fn new(grid: Grid, equivalent_modulus: f64) -> Result<Self, InputError> {
+        let conflict = |reason: &str| {
+            Err(InputError::Conflict { field: "grid".to_owned(), reason: reason.to_owned() })
+        };
+        if grid.is_strip() {
+            return conflict("a strip repeats across alone; use StripHalfSpace, or Grid::from_edges");
         }
-        require_reference(&grid, reference)?;
+        if grid.len() < 2 {
+            return conflict("one node resolves no wave");
+        }
         InputError::require_positive("elastic.equivalent_modulus", equivalent_modulus)?;
         let (nx, ny) = (grid.nx(), grid.ny());
-        let factor = 2.0 / (PI * equivalent_modulus);
-        let mut table = Vec::with_capacity(nx * (ny / 2 + 1));
-        for dj in 0..=ny / 2 {
-            table.extend((0..nx).map(|di| factor * potential(&grid, reference, di, dj)));
-        }
-        let at = |di: usize, dj: usize| {
-            let dj = dj % ny;
-            table.get(dj.min(ny - dj) * nx + di).copied().filter(|_| di < nx).unwrap_or(0.0)
+        let plan = |mean: f64| {
+            ConvolutionPlan::of_spectrum(nx, ny, |i, j| {
+                let wave_number = TAU * (i as f64 / grid.size_x()).hypot(j as f64 / grid.size_y());
+                if wave_number > 0.0 { 4.0 / (equivalent_modulus * wave_number) } else { mean }
+            })
         };
+        let mut impulse = vec![0.0; grid.len()];
+        impulse[0] = 1.0;
+        let mut influence = vec![0.0; grid.len()];
+        Convolution::new(Arc::new(plan(0.0))).apply(&impulse, &mut influence);
+        let least = influence.iter().copied().fold(0.0, f64::min);
+        // Above rounding, so that no node moves towards the load.
+        let mean = ROUNDING * influence[0] - least;
+        let at = |di: usize, dj: usize| influence[dj % ny * nx + di % nx] + mean;
+        let plan = plan(mean * grid.len() as f64);
         Ok(Self {
             equivalent_modulus,
-            reference,
             near: std::array::from_fn(|dj| std::array::from_fn(|di| at(di, dj))),
-            response: ElasticResponse::new(grid, |di, dj| at(di.unsigned_abs(), dj.unsigned_abs())),
+            response: ElasticResponse::of_plans(grid, plan.clone(), &plan, at(0, 0)),
         })
     }
-}
-
-/// Potential \[m\] of a cell of `grid` and of its images at an offset of `di` columns and `dj` rows, up to half a
-/// period. The sum over the images beyond [`NEAR_PERIODS`] is that of point sources with the second moments of the cell,
-/// by the Euler-Maclaurin formula at midpoints, up to the third derivative.
-fn potential(grid: &Grid, reference: f64, di: usize, dj: usize) -> f64 {
-    let (dx, dy, period) = (grid.dx(), grid.dy(), grid.size_y());
-    let (x, y) = (dx * di as f64, dy * dj as f64);
-    let images = -NEAR_PERIODS..=NEAR_PERIODS;
-    let near: f64 =
-        images.map(|q| rectangle_potential(x, y + f64::from(q) * period, 0.5 * dx, 0.5 * dy)).sum();
-    let beyond = |from: f64| {
-        let r = x.hypot(from);
-        let third = 9.0 * from / r.powi(5) - 15.0 * from.powi(3) / r.powi(7);
-        let (square, s) = (period * period, from + r);
-        let moment = (x / r).powi(2) * (1.0 / r + 1.0 / s) - 1.0 / r;
-        -s.ln() - (square - dy * dy) * from / (24.0 * r.powi(3)) + dx * dx * moment / (24.0 * s)
-            - 7.0 * square * square / 5760.0 * third
-    };
-    let first = (f64::from(NEAR_PERIODS) + 0.5) * period;
-    near + dx * dy / period * (2.0 * reference.ln() + beyond(first + y) + beyond(first - y))
 }
 
 impl DeformationModel for PeriodicHalfSpace {
@@ -115,8 +99,12 @@ impl DeformationModel for PeriodicHalfSpace {
         self.response.displacement(pressure, out)
     }
 
+    /// The bodies on a grid of the same periods.
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
-        let body = Self::new(grid, self.equivalent_modulus, self.reference.max(grid.size_x())).ok()?;
+        let own = self.grid();
+        let is_same = |a: f64, b: f64| (a - b).abs() <= SAME_PERIOD * b;
+        let repeats = is_same(grid.size_x(), own.size_x()) && is_same(grid.size_y(), own.size_y());
+        let body = repeats.then(|| Self::new(grid, self.equivalent_modulus).ok()).flatten()?;
         Some(Box::new(body))
     }
 

@@ -43,7 +43,17 @@ impl ElasticResponse {
         } else {
             (ConvolutionPlan::new(nx, ny, &kernel), ConvolutionPlan::periodic(nx, ny, &kernel))
         };
-        let self_influence = kernel(0, 0);
+        Self::of_plans(grid, plan, &periodic, kernel(0, 0))
+    }
+
+    /// The response by its `plan`, that on the `periodic` grid and the displacement of a cell under its own pressure
+    /// \[m/Pa\].
+    pub(super) fn of_plans(
+        grid: Grid,
+        plan: ConvolutionPlan,
+        periodic: &ConvolutionPlan,
+        self_influence: f64,
+    ) -> Self {
         Self {
             grid,
             estimate: Convolution::new(Arc::new(plan.to_single(1.0 / self_influence))),

@@ -98,6 +98,17 @@ impl ConvolutionPlan {
         Self::padded([nx, ny], [fast_length(nx), ny], kernel)
     }
 
+    /// Convolution that is periodic along both axes with the fields as the period, by its real and even `spectrum(i, j)`
+    /// at `i` waves along x and `j` along y, at most half of the cells.
+    pub(crate) fn of_spectrum(nx: usize, ny: usize, spectrum: impl Fn(usize, usize) -> f64) -> Self {
+        let mut plan = Self::transforms([nx, ny], [nx, ny]);
+        let scale = 1.0 / (nx as f64 * ny as f64);
+        let columns = (0..plan.half()).flat_map(|i| (0..ny).map(move |j| (i, j.min(ny - j))));
+        let values = columns.map(|(i, j)| Complex::from(scale * spectrum(i, j))).collect();
+        plan.spectrum = Spectrum::new(values, ny);
+        plan
+    }
+
     /// The plan in single precision with the kernel multiplied by `factor`: half of the memory and about half
     /// of the time.
     pub(crate) fn to_single(&self, factor: f64) -> ConvolutionPlan<f32> {
@@ -184,11 +195,12 @@ impl<T: Precision> ConvolutionPlan<T> {
 
     /// Real row from its spectrum, multiplied by `px`.
     fn inverse_row(&self, spectrum: &mut [Complex<T>], out: &mut [T], scratch: &mut [Complex<T>]) {
-        // The imaginary parts of the first and last entry are zero up to rounding; realfft requires exact
-        // zeros.
-        let last = self.half() - 1;
+        // The imaginary parts of the first entry and, of an even length, of the last one are zero up to rounding;
+        // realfft requires exact zeros.
         spectrum[0].im = T::zero();
-        spectrum[last].im = T::zero();
+        if self.padded_x.is_multiple_of(2) {
+            spectrum[self.padded_x / 2].im = T::zero();
+        }
         let result = self.rows_inverse.process_with_scratch(spectrum, out, scratch);
         debug_assert!(result.is_ok(), "buffers are sized by the plan");
     }

@@ -19,6 +19,7 @@
 //! | ensembles of histories | [`ensemble`] |
 //! | error of the mesh | [`ErrorEstimate`] |
 //! | rigid bearings of scene files | `RigidBearing` |
+//! | dry contact of flat rough surfaces | `FlatContact` |
 //!
 //! Errors are [`SimError`]; implausible input that can still be computed is a [`Warning`]. `sim` imports all
 //! other modules, and none of them imports `sim`. All values are in SI units, all fields row-major slices over
@@ -28,6 +29,8 @@ mod contact;
 pub mod ensemble;
 mod error;
 mod files;
+#[cfg(feature = "serde")]
+mod flat_contact;
 mod history;
 #[cfg(feature = "serde")]
 mod rigid_bearing;
@@ -58,6 +61,8 @@ pub use files::npz::write_npz;
 pub use files::run_folder::RunFolder;
 #[cfg(feature = "vtk")]
 pub use files::vtk::write_vtk;
+#[cfg(feature = "serde")]
+pub use flat_contact::{FlatContact, FlatContactNumbers, FlatContactSolution, FlatLoad};
 pub use history::body::Body;
 pub use history::builder::SimBuilder;
 pub use history::history_means::HistoryMeans;

@@ -1,6 +1,7 @@
-//! `stribeck solve`: one contact, or a rigid bearing.
+//! `stribeck solve`: one contact, a flat contact or a rigid bearing.
 
 mod bearing;
+mod flat;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -9,13 +10,14 @@ use std::time::Instant;
 use indicatif::ProgressBar;
 use stribeck::Grid;
 use stribeck::sim::scene::{GridSpec, Scene};
-use stribeck::sim::{ContactSolution, MixedLubricationSim, RigidBearing, SimError, write_npz};
+use stribeck::sim::{ContactSolution, FlatContact, MixedLubricationSim, RigidBearing, SimError, write_npz};
 
 use super::contact_pictures::{Seen, maps, profile};
 use crate::output::{self, Held, Outcome, Output};
 use crate::{files, interrupt, picture};
 
-/// A scene with the table `given_film` is a rigid bearing: load, friction, side flow and power.
+/// A scene with the table `given_film` is a rigid bearing: load, friction, side flow and power. A scene with `form.kind` flat is
+/// a dry contact of rough planes: area, mean gap and stiffness.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
@@ -36,6 +38,11 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         .map_err(|error| output::in_scene(&options.scene, output::plain(error).as_ref()))?
     {
         return bearing::run(options, &bearing);
+    }
+    if let Some(contact) = FlatContact::load(&options.scene)
+        .map_err(|error| output::in_scene(&options.scene, output::plain(error).as_ref()))?
+    {
+        return flat::run(options, &contact);
     }
     let scene = output::load(&options.scene)?;
     claim(options, &scene)?;

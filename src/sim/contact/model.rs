@@ -6,7 +6,7 @@
 
 use std::sync::atomic::Ordering;
 
-use crate::elastic::{HalfSpace, LayeredHalfSpace, LineHalfSpace, PeriodicHalfSpace, WithLocalCompliance};
+use crate::elastic::{HalfSpace, LayeredHalfSpace, LineHalfSpace, StripHalfSpace, WithLocalCompliance};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
@@ -513,7 +513,7 @@ pub(in crate::sim) fn half_space(
     let modulus = scene.equivalent_modulus()?;
     let layer = scene.layer()?;
     if grid.is_strip() {
-        return Ok(Box::new(PeriodicHalfSpace::new(grid, modulus, reference)?));
+        return Ok(Box::new(StripHalfSpace::new(grid, modulus, reference)?));
     }
     Ok(match (layer, scene.form.is_line()) {
         (None, false) => Box::new(HalfSpace::new(grid, modulus)?),

@@ -4,13 +4,14 @@ use crate::error::{InputError, escape};
 use crate::nearest::nearest;
 
 /// Pages with tables of keys.
-const PAGES: [(&str, &str); 6] = [
+const PAGES: [(&str, &str); 7] = [
     ("docs/scene_contact.md", include_str!("../../../docs/scene_contact.md")),
     ("docs/scene_bodies.md", include_str!("../../../docs/scene_bodies.md")),
     ("docs/scene_fluid.md", include_str!("../../../docs/scene_fluid.md")),
     ("docs/scene_laws.md", include_str!("../../../docs/scene_laws.md")),
     ("docs/scene_history.md", include_str!("../../../docs/scene_history.md")),
     ("docs/given_film.md", include_str!("../../../docs/given_film.md")),
+    ("docs/flat_contact.md", include_str!("../../../docs/flat_contact.md")),
 ];
 /// The page with the table of warnings, and the heading above it.
 const WARNINGS: (&str, &str) = ("docs/errors.md", include_str!("../../../docs/errors.md"));

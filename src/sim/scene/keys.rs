@@ -36,6 +36,8 @@ pub(super) const KEYS: &[(&str, Dimension)] = &[
     ("materials.*.diffusivity", Diffusivity),
     ("load.hertz_pressure", Pressure),
     ("load.force", Force),
+    ("load.mean_pressure", Pressure),
+    ("load.mean_gap", Length),
     ("motion.entrainment_speed", Speed),
     ("motion.ball_speed", Speed),
     ("motion.disc_speed", Speed),

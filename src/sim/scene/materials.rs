@@ -1,6 +1,6 @@
 //! Materials of the two bodies.
 
-use super::{NamedMaterial, Scene};
+use super::{Elastic, NamedMaterial, Scene};
 use crate::error::InputError;
 use crate::tribochem::ThermalBody;
 use crate::with_fields::with_fields;
@@ -120,6 +120,27 @@ impl Materials {
     }
 }
 
+impl Elastic {
+    /// `E'` \[Pa\] of the pair: from the moduli of both `materials` if given, otherwise that of this table.
+    pub(in crate::sim) fn modulus_with(&self, materials: &Materials) -> Result<f64, InputError> {
+        let (field, given) = ("elastic.equivalent_modulus", self.equivalent_modulus);
+        match materials.equivalent_modulus()? {
+            None if given == f64::INFINITY => Err(InputError::Conflict {
+                field: field.to_owned(),
+                reason: "is missing (or infinite), and so are the moduli of the materials".to_owned(),
+            }),
+            None => InputError::require_positive(field, given).map(|()| given),
+            Some(modulus) if given == f64::INFINITY => Ok(modulus),
+            Some(modulus) => Err(InputError::Conflict {
+                field: format!("{field} = {given:e}"),
+                reason: format!(
+                    "the moduli of the materials are given too, E' = {modulus:e} Pa; give only one"
+                ),
+            }),
+        }
+    }
+}
+
 impl Scene {
     /// `E'` \[Pa\] of the pair: from the moduli of both materials if given, otherwise
     /// `elastic.equivalent_modulus`.
@@ -138,21 +159,7 @@ impl Scene {
     /// # Errors
     /// A value out of range, a missing modulus or ratio, both ways at once with different results.
     pub fn equivalent_modulus(&self) -> Result<f64, InputError> {
-        let (field, given) = ("elastic.equivalent_modulus", self.elastic.equivalent_modulus);
-        match self.materials.equivalent_modulus()? {
-            None if given == f64::INFINITY => Err(InputError::Conflict {
-                field: field.to_owned(),
-                reason: "is missing (or infinite), and so are the moduli of the materials".to_owned(),
-            }),
-            None => InputError::require_positive(field, given).map(|()| given),
-            Some(modulus) if given == f64::INFINITY => Ok(modulus),
-            Some(modulus) => Err(InputError::Conflict {
-                field: format!("{field} = {given:e}"),
-                reason: format!(
-                    "the moduli of the materials are given too, E' = {modulus:e} Pa; give only one"
-                ),
-            }),
-        }
+        self.elastic.modulus_with(&self.materials)
     }
 
     /// Hardness of ball and disc \[Pa\]; `common` for a material without hardness.
