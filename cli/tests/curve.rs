@@ -92,7 +92,7 @@ fn a_curve_over_seeds_has_mean_and_standard_deviation() {
     close("friction_coefficient_sd", sd);
     assert_eq!((&row["surfaces"], row.get("friction_coefficient_error")), (&3.0.into(), None));
     let table = std::fs::read_to_string(folder.path().join("curve/rough_curve.csv")).unwrap();
-    assert!(table.lines().next().unwrap().ends_with(",film_lambda_sd,surfaces"), "{table}");
+    assert!(table.lines().next().unwrap().ends_with(",film_lambda_sd,surfaces,model"), "{table}");
     assert_pictures(&folder.path().join("curve"), "rough_curve", &["friction", "film / Rq"]);
 }
 
@@ -171,7 +171,7 @@ fn an_interrupted_curve_keeps_its_finished_speeds() {
     let printed = table.lines().filter(|line| !line.starts_with("written")).count();
     assert_eq!(printed, rows + 1, "{table}");
     let text = std::fs::read_to_string(&csv).unwrap();
-    assert!(text.ends_with('\n') && text.lines().all(|line| line.split(',').count() == 5), "{text}");
+    assert!(text.ends_with('\n') && text.lines().all(|line| line.split(',').count() == 6), "{text}");
     assert_pictures(folder.path(), "rough_curve", &["friction"]);
 }
 
@@ -275,4 +275,57 @@ fn traction_grows_with_sliding_from_zero() {
     assert_eq!(friction.len(), 3, "{table}");
     assert!(friction[0] == 0.0 && friction[1] > 0.005 && friction[2] > friction[1], "{table}");
     assert!(table.lines().next().unwrap().contains("slide/roll"), "{table}");
+}
+
+/// The rough scene on 128 x 128 cells, which resolve the curvature of its asperities.
+fn within_inlets(folder: &Path) -> std::path::PathBuf {
+    rough(folder, &[("= 32", "= 128")])
+}
+
+#[test]
+fn curve_is_by_asperity_inlets_within_their_range_and_resolved_elsewhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = within_inlets(folder.path());
+    let (curve, messages) = curve_of(folder.path(), &path, &["--resolve", "1", "--plot"]);
+    let rows = curve["curve"].as_array().unwrap();
+    let models: Vec<&str> = rows.iter().map(|row| row["model"].as_str().unwrap()).collect();
+    assert_eq!(models, ["asperity_inlets", "asperity_inlets", "resolved"], "{messages}");
+    let number = |row: usize, key: &str| rows[row][key].as_f64().unwrap();
+    assert_eq!(number(0, "motion_entrainment_speed_m_s"), number(2, "motion_entrainment_speed_m_s"));
+    let mut scene = Scene::load(&path).unwrap();
+    scene.motion.entrainment_speed = 0.02;
+    let resolved = solve_contact(&scene).unwrap();
+    assert_eq!(number(2, "contact_load_ratio"), resolved.contact.load_ratio);
+    assert!((number(0, "contact_load_ratio") - resolved.contact.load_ratio).abs() < 0.1);
+    scene.solver.model = stribeck::sim::scene::SolverModel::AsperityInlets;
+    let inlets = solve_contact(&scene).unwrap();
+    assert_eq!(number(0, "contact_load_ratio"), inlets.contact.load_ratio);
+    // The second speed starts from the dry contact of the first.
+    scene.motion.entrainment_speed = 0.2;
+    let inlets = solve_contact(&scene).unwrap();
+    assert!((number(1, "contact_load_ratio") - inlets.contact.load_ratio).abs() < 1e-4);
+    let out = folder.path().join("curve");
+    let table = std::fs::read_to_string(out.join("rough_curve.csv")).unwrap();
+    let ends: Vec<&str> = table.lines().map(|line| line.rsplit(',').next().unwrap()).collect();
+    assert_eq!(ends, ["model", "asperity_inlets", "resolved", "asperity_inlets"]);
+    assert_pictures(&out, "rough_curve", &["asperity inlets", "resolved"]);
+    let (coarse, _) = curve_of(folder.path(), &rough(folder.path(), &[]), &["--resolve", "2"]);
+    let rows = coarse["curve"].as_array().unwrap();
+    assert!(rows.len() == 2 && rows.iter().all(|row| row["model"] == "resolved"), "{rows:?}");
+}
+
+#[test]
+fn model_of_a_curve_follows_the_option() {
+    let folder = tempfile::tempdir().unwrap();
+    let coarse = rough(folder.path(), &[]);
+    let (curve, messages) = curve_of(folder.path(), &coarse, &["--model", "asperity_inlets"]);
+    assert!(curve["curve"].as_array().unwrap().iter().all(|row| row["model"] == "asperity_inlets"));
+    assert!(messages.contains("too wide for the curvature"), "{messages}");
+    let fine = within_inlets(folder.path());
+    let (curve, _) = curve_of(folder.path(), &fine, &["--model", "resolved"]);
+    assert!(curve["curve"].as_array().unwrap().iter().all(|row| row["model"] == "resolved"));
+    let starved = rough(folder.path(), &[("[lubricant]", "[lubricant]\nsupplied_film = 1e-7\n#")]);
+    let arguments = ["curve", text(&starved), "--model", "asperity_inlets", "--points", "2"];
+    assert_refused(&arguments, &["asperity_inlets", "lubricant.supplied_film"]);
+    assert_refused(&["curve", text(&fine), "--resolve", "0"], &["--resolve = \"0\""]);
 }

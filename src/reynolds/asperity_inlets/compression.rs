@@ -12,8 +12,10 @@ const STEPS: usize = 240;
 /// Ends of the flank, as roots of its gap over the contact film to the power 2/3. Beyond the far end are 6e-7 of the
 /// integral, within the near end 1e-9.
 const FLANK: [f64; 2] = [30.0, 0.02];
-/// Halvings of the interval that contains a rise.
-const HALVINGS: usize = 44;
+/// Relative error of a tabulated rise.
+const RISE_TOLERANCE: f64 = 1e-12;
+/// Largest number of secant steps to a rise.
+const SECANT_STEPS: usize = 60;
 
 /// The pressure at the front edge over the rise that an incompressible fluid would have in the same inlet.
 ///
@@ -42,16 +44,8 @@ impl EdgePressures {
         for &p in &self.pressure {
             let edge = oil.at(p);
             let (target, density) = (edge.reduced_pressure, edge.density);
-            // An incompressible fluid needs the least.
-            let (mut low, mut high) = (target / WHOLE_INLET, 2.0 * target / WHOLE_INLET);
-            while densities.edge(high, density) < target && high < 1e3 * low {
-                high *= 2.0;
-            }
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if densities.edge(middle, density) < target { low = middle } else { high = middle }
-            }
-            least = f64::max(least, 0.5 * (low + high) * WHOLE_INLET);
+            let factor = densities.factor(target, density);
+            least = f64::max(least, factor * WHOLE_INLET);
             self.rise.push(least);
         }
     }
@@ -94,6 +88,33 @@ impl Densities {
             reduced: points.iter().map(|point| point.reduced_pressure).collect(),
             excess: points.iter().map(|point| point.density - 1.0).collect(),
         }
+    }
+
+    /// The factor for which the reduced pressure at the edge is `target`, by the Illinois method; `edge` is the density
+    /// ratio there.
+    fn factor(&self, target: f64, edge: f64) -> f64 {
+        let excess = |k: f64| self.edge(k, edge) / target - 1.0;
+        // An incompressible fluid needs the least.
+        let (mut low, mut high) = (target / WHOLE_INLET, 2.0 * target / WHOLE_INLET);
+        let (mut below, mut above) = (excess(low).min(0.0), excess(high));
+        while above < 0.0 && high < 1e3 * low {
+            high *= 2.0;
+            above = excess(high);
+        }
+        for _ in 0..SECANT_STEPS {
+            let middle = (low * above - high * below) / (above - below);
+            let found = excess(middle);
+            if found.abs() <= RISE_TOLERANCE || high - low <= RISE_TOLERANCE * high || !found.is_finite() {
+                return middle;
+            }
+            // The end that stays counts half, so that both move.
+            if found < 0.0 {
+                (low, below, above) = (middle, found, 0.5 * above);
+            } else {
+                (high, above, below) = (middle, found, 0.5 * below);
+            }
+        }
+        0.5 * (low + high)
     }
 
     /// Reduced pressure at the edge for the factor `k` and the density ratio `edge` there, by the midpoint rule in

@@ -2,6 +2,7 @@
 
 mod axis;
 mod chart;
+mod model;
 mod row;
 mod surfaces;
 
@@ -14,10 +15,11 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use stribeck::Status;
-use stribeck::sim::scene::{GridSpec, Scene};
+use stribeck::sim::scene::{GridSpec, Scene, SolverModel};
 use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, SimError};
 
 use self::axis::Axis;
+use self::model::{ModelChoice, Plan, Starts, resolved_values};
 use self::row::{Columns, Row};
 use crate::output::{self, Held, Outcome, Output};
 use crate::{files, interrupt, picture};
@@ -55,6 +57,15 @@ pub(crate) struct Options {
         value_parser = |text: &str| output::count::<u32>("--seeds", text, 2..=MOST_SURFACES)
     )]
     seeds: Option<u32>,
+    /// Model of the mixed contacts
+    #[arg(long, value_enum, default_value_t = ModelChoice::Auto)]
+    model: ModelChoice,
+    /// Number of values at which the resolved model is solved beside asperity inlets
+    #[arg(
+        long, allow_hyphen_values = true,
+        value_parser = |text: &str| output::count::<u32>("--resolve", text, 1..=1000)
+    )]
+    resolve: Option<u32>,
     #[command(flatten)]
     output: Output,
 }
@@ -73,7 +84,11 @@ struct Curve<'a> {
     csv: (PathBuf, File),
     bar: ProgressBar,
     rows: Vec<Row>,
+    /// Rows of the resolved model beside the curve.
+    resolved: Vec<Row>,
     points: Vec<Point>,
+    plan: Plan,
+    starts: Starts,
     /// The folder of the table was made for it.
     made_folder: bool,
     /// Fields of the warnings that were printed.
@@ -166,10 +181,25 @@ impl<'a> Curve<'a> {
         let bar = ProgressBar::new(solves as u64).with_style(ProgressStyle::with_template(style)?);
         let said = scene.warnings().into_iter().map(|warning| warning.field).collect();
         let remarks = options.seeds.is_none() && surfaces::is_random(scene);
-        let (csv, rows, points) = ((path, file), Vec::new(), Vec::new());
+        let (csv, rows, resolved, points) = ((path, file), Vec::new(), Vec::new(), Vec::new());
+        let (plan, starts) = (Plan::new(options.model, scene), Starts::default());
         let is_complete = true;
         let mut curve =
-            Self { options, columns, csv, bar, rows, points, made_folder, said, remarks, is_complete };
+            Self {
+            options,
+            columns,
+            csv,
+            bar,
+            rows,
+            resolved,
+            points,
+            plan,
+            starts,
+            made_folder,
+            said,
+            remarks,
+            is_complete,
+        };
         curve.write_line(&row::csv_header(columns)).inspect_err(|_| files::remove(&curve.csv.0))?;
         Ok(curve)
     }
@@ -194,31 +224,84 @@ impl<'a> Curve<'a> {
         held: &Held,
     ) -> Result<bool, Box<dyn Error>> {
         self.bar.tick();
-        for &value in values {
-            let mut points = Vec::with_capacity(scenes.len());
-            for (surface, scene) in scenes.iter().enumerate() {
-                let mut scene = scene.clone();
-                self.columns.over.set(&mut scene, &mut conditions, value);
-                let (held, bar) = (held.clone(), self.bar.clone());
-                let builder = MixedLubricationSim::builder(scene).interrupt(move || {
-                    held.print(&bar);
-                    interrupt::is_requested()
-                });
-                match builder.solve() {
-                    Ok(solution) => points.push(Point { conditions, surface, solution }),
-                    Err(SimError::Interrupted) => return Ok(false),
-                    Err(error @ SimError::BoxTooSmall(_)) => {
-                        self.is_complete = false;
-                        let text = format!("{} is left out of the curve: {error}", self.columns.words(value));
-                        self.bar.suspend(|| output::complain("warning", &text));
-                    }
-                    Err(error) => return Err(output::in_scene(&self.options.scene, &error).into()),
-                }
-                self.bar.inc(1);
-            }
+        let beside = resolved_values(self.options.resolve.unwrap_or(0), values.len());
+        for (index, &value) in values.iter().enumerate() {
+            let at = (&mut conditions, value);
+            let Some(points) = self.points_at(scenes, at, held)? else { return Ok(false) };
+            let is_model = points.first().is_some_and(|point| !is_resolved(point));
             self.take(value, points)?;
+            if is_model && beside.contains(&index) {
+                let (at, resolved) = ((&mut conditions, value), SolverModel::Resolved);
+                let Some(points) = self.solve_surfaces(scenes, at, resolved, held)? else { return Ok(false) };
+                self.take(value, points)?;
+            }
         }
         Ok(true)
+    }
+
+    /// The contacts at one value by the model that holds there; `None` after an interruption.
+    fn points_at(
+        &mut self,
+        scenes: &[Scene],
+        (conditions, value): (&mut Conditions, f64),
+        held: &Held,
+    ) -> Result<Option<Vec<Point>>, Box<dyn Error>> {
+        if self.plan == Plan::TryInlets {
+            match self.solve_surfaces(scenes, (&mut *conditions, value), self.plan.model(), held) {
+                Ok(None) => return Ok(None),
+                Ok(Some(points)) => match points.iter().find(|point| !point.solution.is_within_model()) {
+                    None if !points.is_empty() => return Ok(Some(points)),
+                    outside => {
+                        self.plan =
+                            outside.map_or(Plan::Resolved, |point| self.plan.after(&point.solution));
+                    }
+                },
+                // Outside of the model, or an error that the resolved solve repeats.
+                Err(_) => self.plan = Plan::Resolved,
+            }
+            self.bar.set_position((self.points.len()) as u64);
+            return self.solve_surfaces(scenes, (conditions, value), SolverModel::Resolved, held);
+        }
+        self.solve_surfaces(scenes, (conditions, value), self.plan.model(), held)
+    }
+
+    /// The contacts of all surfaces at one value by one model; `None` after an interruption.
+    fn solve_surfaces(
+        &mut self,
+        scenes: &[Scene],
+        (conditions, value): (&mut Conditions, f64),
+        model: SolverModel,
+        held: &Held,
+    ) -> Result<Option<Vec<Point>>, Box<dyn Error>> {
+        let mut points = Vec::with_capacity(scenes.len());
+        for (surface, scene) in scenes.iter().enumerate() {
+            let mut scene = scene.clone();
+            scene.solver.model = model;
+            self.columns.over.set(&mut scene, conditions, value);
+            let (held, bar) = (held.clone(), self.bar.clone());
+            let mut builder = MixedLubricationSim::builder(scene).interrupt(move || {
+                held.print(&bar);
+                interrupt::is_requested()
+            });
+            if let Some(start) = self.starts.of(surface).filter(|_| !model.is_resolved()) {
+                builder = builder.contact_start(start);
+            }
+            match builder.solve() {
+                Ok(solution) => {
+                    self.starts.keep(surface, &solution);
+                    points.push(Point { conditions: *conditions, surface, solution });
+                }
+                Err(SimError::Interrupted) => return Ok(None),
+                Err(error @ SimError::BoxTooSmall(_)) => {
+                    self.is_complete = false;
+                    let text = format!("{} is left out of the curve: {error}", self.columns.words(value));
+                    self.bar.suspend(|| output::complain("warning", &text));
+                }
+                Err(error) => return Err(output::in_scene(&self.options.scene, &error).into()),
+            }
+            self.bar.inc(1);
+        }
+        Ok(Some(points))
     }
 
     /// Prints and writes the `points` of one value.
@@ -229,11 +312,13 @@ impl<'a> Curve<'a> {
         if let Some(row) = Row::of(value, &solutions) {
             self.write_line(&row.csv(self.columns))?;
             if !self.options.output.json {
-                let header = self.rows.is_empty().then(|| row::table_header(self.columns));
+                let is_first = self.rows.is_empty() && self.resolved.is_empty();
+                let header = is_first.then(|| row::table_header(self.columns));
                 let lines = header.into_iter().chain([row.table_line(self.columns)]).collect::<Vec<_>>();
                 self.bar.suspend(|| output::print(&lines.join("\n")))?;
             }
-            self.rows.push(row);
+            let is_beside = self.rows.last().is_some_and(|last| last.at == row.at);
+            if is_beside { &mut self.resolved } else { &mut self.rows }.push(row);
         }
         if self.remarks && points.iter().any(|point| surfaces::is_mixed(&point.solution)) {
             self.remarks = false;
@@ -254,7 +339,7 @@ impl<'a> Curve<'a> {
         if !self.rows.is_empty() {
             written.push(self.csv.0.clone());
             if self.options.output.plot {
-                let chart = chart::chart(&output::stem(&self.options.scene), self.columns, &self.rows);
+                let chart = chart::chart(&output::stem(&self.options.scene), self.columns, [&self.rows, &self.resolved]);
                 written.extend(picture::write(&chart, &self.options.output.out, name)?);
             }
         }
@@ -277,11 +362,17 @@ impl<'a> Curve<'a> {
             }
             list.push(numbers);
         }
-        let rows: Vec<_> = self.rows.iter().map(|row| row.to_json(self.columns)).collect();
+        let rows = self.rows.iter().chain(&self.resolved);
+        let rows: Vec<_> = rows.map(|row| row.to_json(self.columns)).collect();
         Ok(json!({
             "points": list, "curve": rows, "seconds": seconds, "version": env!("CARGO_PKG_VERSION"),
         }))
     }
+}
+
+/// Whether the contact was solved by the resolved model.
+fn is_resolved(point: &Point) -> bool {
+    point.solution.model != Some(SolverModel::AsperityInlets)
 }
 
 /// Prints the warnings of the `points` of a value that were not `said` before, and the contacts that were not

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value as Json};
 use stribeck::sim::ContactSolution;
+use stribeck::sim::scene::SolverModel;
 
 use super::axis::Axis;
 
@@ -102,6 +103,7 @@ pub(super) struct Row {
     pub(super) at: f64,
     /// Surfaces that the means are over.
     surfaces: usize,
+    pub(super) model: SolverModel,
     pub(super) values: [Option<Value>; QUANTITIES.len()],
 }
 
@@ -119,7 +121,8 @@ impl Row {
             let error = all(quantity.error).and_then(|errors| self::mean(&errors));
             Some(Value { mean, sd, error })
         });
-        (!solutions.is_empty()).then_some(Self { at, surfaces: solutions.len(), values })
+        let model = solutions.first()?.model.unwrap_or_default();
+        Some(Self { at, surfaces: solutions.len(), model, values })
     }
 
     /// Names and values of the columns; a value that is not known is `None`.
@@ -147,12 +150,17 @@ impl Row {
     pub(super) fn csv(&self, columns: Columns) -> String {
         let cells = self.cells(columns).into_iter();
         let texts = cells.map(|(_, value)| value.map_or_else(String::new, |value| format!("{value:e}")));
-        texts.collect::<Vec<_>>().join(",")
+        texts.chain([self.model_name().to_owned()]).collect::<Vec<_>>().join(",")
+    }
+
+    fn model_name(&self) -> &'static str {
+        if self.model.is_resolved() { "resolved" } else { "asperity_inlets" }
     }
 
     pub(super) fn to_json(&self, columns: Columns) -> Json {
         let cells = self.cells(columns).into_iter().map(|(name, value)| (name, Json::from(value)));
-        Json::Object(cells.collect::<Map<_, _>>())
+        let model = [("model".to_owned(), Json::from(self.model_name()))];
+        Json::Object(cells.chain(model).collect::<Map<_, _>>())
     }
 
     /// A line of the table on the terminal.
@@ -163,20 +171,21 @@ impl Row {
             let band = value.band().map_or_else(String::new, |band| format!(" +- {}", shown(band)));
             cell(columns, &(shown(value.mean) + &band))
         });
-        format!("{}{}", columns.over.cell(self.at), cells.collect::<String>())
+        format!("{}{}  {}", columns.over.cell(self.at), cells.collect::<String>(), self.model_name())
     }
 }
 
 /// The headings of a file.
 pub(super) fn csv_header(columns: Columns) -> String {
-    let empty = Row { at: 0.0, surfaces: 0, values: [None; QUANTITIES.len()] };
-    empty.cells(columns).into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(",")
+    let empty = Row { at: 0.0, surfaces: 0, model: SolverModel::Resolved, values: [None; QUANTITIES.len()] };
+    let names = empty.cells(columns).into_iter().map(|(name, _)| name);
+    names.chain(["model".to_owned()]).collect::<Vec<_>>().join(",")
 }
 
 /// The headings of the table on the terminal.
 pub(super) fn table_header(columns: Columns) -> String {
     let cells = QUANTITIES.iter().map(|quantity| cell(columns, quantity.label));
-    format!("{:>11}{}", columns.over.heading(columns.line), cells.collect::<String>())
+    format!("{:>11}{}  model", columns.over.heading(columns.line), cells.collect::<String>())
 }
 
 /// A cell of the table, wide enough for a number with its band where there are bands.
