@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{json_of, repository, stribeck, text};
+use common::{error_of, json_of, repository, stribeck, text};
 use stribeck::sim::Scene;
 use stribeck::sim::solve_contact;
 
@@ -204,4 +204,44 @@ fn shipped_scenes_of_data_sheets_have_their_hand_formulas() {
     assert!(solution.warnings.is_empty(), "{:?}", solution.warnings);
     let formula = scene.formula_film().unwrap().unwrap().central;
     assert!((solution.film.central / formula - 1.0).abs() < 0.1, "{} {formula}", solution.film.central);
+}
+
+/// At half and at twice the contact film by the closed form, whose inlet number falls with the power 4/3 of it.
+#[test]
+fn contact_film_is_printed_with_its_effect_on_load_and_friction() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = common::rough(folder.path(), &[]);
+    let numbers = json_of(&stribeck(&["check", text(&path), "--json"]));
+    let contact = &numbers["contact"];
+    let share = contact["load_ratio"].as_f64().unwrap();
+    let ends: Vec<f64> = serde_json::from_value(contact["load_ratio_by_contact_film"].clone()).unwrap();
+    for (end, factor) in ends.iter().zip([0.5_f64, 2.0]) {
+        let exact = 1.0 / (1.0 + (1.0 / share - 1.0) * factor.powf(-4.4));
+        assert!((end - exact).abs() < 1e-9, "{end} {exact}");
+    }
+    let friction: Vec<f64> = serde_json::from_value(contact["friction_by_contact_film"].clone()).unwrap();
+    let all = numbers["friction"]["coefficient"].as_f64().unwrap();
+    assert!(friction[0] < all && all < friction[1], "{friction:?} {all}");
+    assert_eq!(numbers["roughness"]["short_roughness"], 0.0);
+    let output = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
+    assert!(output.contains("touch      at films of 1.00 nm; at half of it solids have"), "{output}");
+}
+
+/// Waves that the cells do not hold and asperities do not flatten: of exponential surfaces, not of Gaussian ones, and not
+/// where a contact film is given.
+#[test]
+fn contact_film_of_molecules_below_short_waves_is_warned_of() {
+    let folder = tempfile::tempdir().unwrap();
+    let film = |more: &[(&str, &str)]| {
+        let path = common::rough(folder.path(), more);
+        let output = stribeck(&["check", text(&path), "--json"]);
+        let short = json_of(&output)["roughness"]["short_roughness"].as_f64().unwrap();
+        (short, error_of(&output).contains("solver.film_cutoff"))
+    };
+    let exponential = ("kind = \"gaussian\"", "kind = \"exponential\"");
+    let (short, is_said) = film(&[exponential]);
+    assert!(is_said && (1e-8..1.3e-7).contains(&short), "{short:e}");
+    let (_, is_said) = film(&[exponential, ("[solver]", "[solver]\nfilm_cutoff = \"2 nm\"")]);
+    assert!(!is_said);
+    assert!(!film(&[]).1);
 }

@@ -203,6 +203,8 @@ class ExpectedFilm(Numbers):
     lambda_: float | None
     load_ratio: float | None
     load_ratio_range: list[float] | None
+    load_ratio_by_contact_film: list[float] | None
+    friction_by_contact_film: list[float] | None
     friction: list[float]
     friction_range: list[float] | None
     film_rise: float
@@ -213,6 +215,7 @@ class Expectation(Numbers):
 
     __slots__ = ()
     roughness: Roughness
+    short_roughness: float
     correlation_length: float | None
     flash_rise: float
     film: ExpectedFilm | None

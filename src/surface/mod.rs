@@ -38,6 +38,7 @@ mod roughness_motion;
 mod roughness_spec;
 mod round_form;
 mod self_affine;
+mod short_waves;
 mod subcell;
 mod texture;
 

@@ -134,6 +134,7 @@ impl Expected {
         let (hertz, grid, [inlet, outlet]) = (&self.hertz, self.sim.grid(), self.room());
         let film = self.expectation.film;
         let mut roughness = serde_json::to_value(self.expectation.roughness)?;
+        roughness["short_roughness"] = self.expectation.short_roughness.into();
         roughness["correlation_length"] = self.expectation.correlation_length.into();
         let grid = (!self.picks_grid).then(|| {
             json!({
@@ -161,6 +162,9 @@ impl Expected {
             "contact": {
                 "load_ratio": film.and_then(|film| film.load_ratio),
                 "load_ratio_range": film.and_then(|film| film.load_ratio_range),
+                "film_cutoff": film.map(|_| self.sim.scene().solver.film_cutoff),
+                "load_ratio_by_contact_film": film.and_then(|film| film.load_ratio_by_contact_film),
+                "friction_by_contact_film": film.and_then(|film| film.friction_by_contact_film),
             },
             "friction": film.map(|ExpectedFilm { friction: [boundary, fluid], .. }| {
                 json!({ "coefficient": boundary + fluid, "boundary": boundary, "fluid": fluid })

@@ -76,7 +76,7 @@ fn conflict(reason: String) -> InputError {
 }
 
 /// Root mean squares of the combined heights of both bodies and of their slopes along x and y.
-fn height_and_slopes(grid: &Grid, heights: [&[f64]; 2]) -> [f64; 3] {
+pub(in crate::sim) fn height_and_slopes(grid: &Grid, heights: [&[f64]; 2]) -> [f64; 3] {
     let at = |i: usize, j: usize| heights.iter().map(|body| body[j * grid.nx() + i]).sum::<f64>();
     let mut squares = [0.0; 3];
     for j in 0..grid.ny() {

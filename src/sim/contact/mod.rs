@@ -30,6 +30,7 @@ pub(in crate::sim) mod oil_numbers;
 pub(in crate::sim) mod outer_rows;
 pub(in crate::sim) mod per_body;
 pub(in crate::sim) mod setup;
+pub(in crate::sim) mod short_roughness;
 pub(in crate::sim) mod solution;
 pub(in crate::sim) mod solution_numbers;
 pub(in crate::sim) mod strip;

@@ -22,6 +22,7 @@ use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::{ContactModel, CustomComponents, validate_loads};
 use crate::sim::contact::per_body::PerBody;
 use crate::sim::contact::setup;
+use crate::sim::contact::short_roughness;
 use crate::sim::contact::warnings::{self, Warning};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
@@ -428,6 +429,9 @@ impl SimBuilder {
         let heights = bodies.each_ref().map(Body::initial);
         found.extend(warnings::of_roughness(&self.scene, heights, &contact.grid, &contact.hertz));
         found.extend(asperity_inlets::warnings(&self.scene, &contact.grid, heights, contact.stated_film));
+        // Heights that replace those of the scene have no spectrum beyond the grid.
+        let short = short_roughness::short_roughness(&scene, &contact.grid, heights, &contact.hertz);
+        found.extend(short_roughness::warning(&scene, &contact.grid, short));
         let mut warnings = scene.warnings();
         warnings.extend(found);
         if self.squeeze {

@@ -10,6 +10,7 @@ use crate::sim::contact::formula::formula_film;
 use crate::sim::contact::friction_laws::mean_fluid_stress;
 use crate::sim::contact::heating::{IsothermalFriction, film_rise};
 use crate::sim::contact::numbers::RoughnessNumbers;
+use crate::sim::contact::short_roughness::short_roughness;
 use crate::sim::contact::warnings::{self, OperatingPoint, Warning};
 use crate::sim::error::SimError;
 use crate::sim::history::simulation::MixedLubricationSim;
@@ -52,6 +53,8 @@ pub struct Expectation {
     /// Smaller of the lengths along x and y at which the autocorrelation of both surfaces together falls to
     /// 10 % \[m\]; `None` for smooth bodies, textures and lengths above half of the patch.
     pub correlation_length: Option<f64>,
+    /// Root mean square height of the random waves shorter than two cells that asperities do not flatten \[m\].
+    pub short_roughness: f64,
     /// Flash temperature rise of the surfaces \[K\].
     pub flash_rise: f64,
     /// Film and friction; `None` for a dry contact.
@@ -75,6 +78,10 @@ pub struct ExpectedFilm {
     pub load_ratio: Option<f64>,
     /// Smallest and largest load ratio of solutions at this inlet number; `None` where no formula holds.
     pub load_ratio_range: Option<[f64; 2]>,
+    /// Load ratio by the inlets of asperities at half and at twice the contact film; `None` where they do not decide.
+    pub load_ratio_by_contact_film: Option<[f64; 2]>,
+    /// Sum of the friction coefficients there.
+    pub friction_by_contact_film: Option<[f64; 2]>,
     /// Friction coefficients of solids (at that load ratio or the smallest one) and of the isothermal fluid; NaN for sliding
     /// bodies whose undeformed gap equals the film outside of the Hertz contact only: the oil carries over more than that.
     pub friction: [f64; 2],
@@ -84,8 +91,14 @@ pub struct ExpectedFilm {
     pub film_rise: f64,
 }
 
-/// Load ratio, `None` if only its range is known, and its range.
-type LoadShare = (Option<f64>, [f64; 2]);
+/// Load on solids over the load.
+struct LoadShare {
+    /// `None` if only the range is known.
+    share: Option<f64>,
+    range: [f64; 2],
+    /// At half and at twice the contact film, where the inlets of asperities decide.
+    by_contact_film: Option<[f64; 2]>,
+}
 
 impl MixedLubricationSim {
     /// Estimates the contact by formula under the present conditions.
@@ -98,12 +111,14 @@ impl MixedLubricationSim {
         let rq = self.bodies.each_ref().map(|body| track_rq(&grid, half_width, body.surface()));
         let roughness = RoughnessNumbers::of(rq);
         let correlation_length = self.correlation_length();
+        let heights = self.bodies.each_ref().map(|body| body.surface());
+        let short_roughness = short_roughness(&self.scene, &grid, heights, &self.contact.hertz);
         let Some(lubricant) = &self.contact.lubricant else {
             let flash_rise = self.flash_estimate();
-            return Ok(Expectation { roughness, correlation_length, flash_rise, film: None });
+            return Ok(Expectation { roughness, correlation_length, short_roughness, flash_rise, film: None });
         };
         let (flash_rise, film) = self.expected_film(lubricant, &roughness, correlation_length)?;
-        Ok(Expectation { roughness, correlation_length, flash_rise, film: Some(film) })
+        Ok(Expectation { roughness, correlation_length, short_roughness, flash_rise, film: Some(film) })
     }
 
     /// Warnings about physics that the scene leaves out and this estimate needs. A solve returns its own.
@@ -184,26 +199,29 @@ impl MixedLubricationSim {
             f64::NAN
         };
         let mean = hertz.force / hertz.area;
-        let solids = share.map_or(0.0, |(share, [least, _])| share.unwrap_or(least));
+        let solids = share.as_ref().map_or(0.0, |load| load.share.unwrap_or(load.range[0]));
         let coefficient =
             if sliding > 0.0 { self.laws.friction.coefficient(mean, sliding, [0.0; 2]) } else { 0.0 };
         let friction = [solids * coefficient, (1.0 - solids) * stress / mean];
         let [boundary, fluid] = if is_estimated { friction } else { [0.0; 2] };
         let heated = IsothermalFriction { boundary, fluid, film: central };
         let rises = film_rise(scene, hertz, &conditions, law, heated)?;
-        let load_ratio = share.and_then(|(share, _)| share);
-        let load_ratio_range = share.map(|(_, range)| range);
-        let friction_range = load_ratio_range.map(|shares| {
-            let ends = shares.map(|share| share * coefficient + (1.0 - share) * stress / mean);
-            [ends[0].min(ends[1]), ends[0].max(ends[1])]
-        });
-        let friction_range = friction_range.filter(|_| is_estimated);
+        let load_ratio = share.as_ref().and_then(|load| load.share);
+        let load_ratio_range = share.as_ref().map(|load| load.range);
+        let load_ratio_by_contact_film = share.and_then(|load| load.by_contact_film);
+        let all = |shares: Option<[f64; 2]>| {
+            let sums = shares.map(|shares| shares.map(|share| share * coefficient + (1.0 - share) * stress / mean));
+            sums.filter(|_| is_estimated)
+        };
+        let friction_range = all(load_ratio_range).map(|ends| [ends[0].min(ends[1]), ends[0].max(ends[1])]);
         let film = ExpectedFilm {
             map,
             central,
             lambda,
             load_ratio,
             load_ratio_range,
+            load_ratio_by_contact_film,
+            friction_by_contact_film: all(load_ratio_by_contact_film),
             friction,
             friction_range,
             film_rise: if is_estimated { rises.film } else { f64::NAN },
@@ -227,7 +245,7 @@ impl MixedLubricationSim {
             _ => (None, [0.5, 1.0]),
         };
         if roughness.composite_rq == 0.0 {
-            return Ok(Some((smooth, smooth_range)));
+            return Ok(Some(LoadShare { share: smooth, range: smooth_range, by_contact_film: None }));
         }
         let law = lubricant.viscosity();
         let alpha = law.log_slope(0.0);
@@ -247,6 +265,12 @@ impl MixedLubricationSim {
         let at = |factor: f64| MixedLoadShare { correlation_length: factor * length, ..inlets }.load_ratio();
         let (share, least, most) = (at(1.0)?, at(above)?, at(below)?);
         let [_, most_smooth] = smooth_range;
-        Ok(Some(if most_smooth > most { (None, [least, most_smooth]) } else { (Some(share), [least, most]) }))
+        Ok(Some(if most_smooth > most {
+            LoadShare { share: None, range: [least, most_smooth], by_contact_film: None }
+        } else {
+            let at_film = |factor: f64| MixedLoadShare { contact_film: factor * contact_film, ..inlets }.load_ratio();
+            let by_contact_film = Some([at_film(0.5)?, at_film(2.0)?]);
+            LoadShare { share: Some(share), range: [least, most], by_contact_film }
+        }))
     }
 }

@@ -14,7 +14,7 @@ const SPREAD: f64 = 0.2;
 const BOUNDARY: f64 = 0.8;
 
 impl Expected {
-    /// At most 27 lines, in the units of engineers.
+    /// At most 28 lines, in the units of engineers.
     pub(super) fn to_text(&self) -> String {
         let hertz = &self.hertz;
         let mut lines = self.film_lines();
@@ -79,6 +79,7 @@ impl Expected {
             format!("load       {}", load_words(film)),
             rough,
         ];
+        lines.extend(self.contact_film_line(film));
         if boundary + fluid > 0.0 {
             let (all, rise) = (boundary + fluid, film.film_rise);
             let of = match film.load_ratio_range {
@@ -105,6 +106,19 @@ impl Expected {
             lines.push(text.to_owned());
         }
         lines
+    }
+
+    /// The contact film, and load on solids and friction at half and at twice of it.
+    fn contact_film_line(&self, film: &ExpectedFilm) -> Option<String> {
+        let shares = film.load_ratio_by_contact_film?.map(|share| format!("{:.0} %", 100.0 * share));
+        let [half, twice] = match film.friction_by_contact_film {
+            Some(friction) if friction[1] > 0.0 => {
+                [0, 1].map(|k| format!("{} of the load and friction {:.4}", shares[k], friction[k]))
+            }
+            _ => shares.map(|share| format!("{share} of the load")),
+        };
+        let cutoff = 1e9 * self.sim.scene().solver.film_cutoff;
+        Some(format!("touch      at films of {cutoff:.2} nm; at half of it solids have {half}, at twice {twice}"))
     }
 
     /// Viscosity and pressure-viscosity coefficient at the temperature of the contact, with their sources.
