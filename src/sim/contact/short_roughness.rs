@@ -1,4 +1,4 @@
-//! Roughness shorter than the cells of the grid, on which solids touch before the film is as thin as molecules.
+//! Roughness shorter than the cells of the grid, on which solids carry more than on the grid.
 
 use std::f64::consts::TAU;
 
@@ -59,13 +59,10 @@ pub(in crate::sim) fn warning(scene: &Scene, grid: &Grid, short: f64) -> Option<
             film,
             format!(
                 "it is the size of molecules, and the random roughness has waves shorter than two cells of {:.2e} m that asperities \
-                 do not flatten, with an Rq of {short:.2e} m: solids touch on them at thicker films",
+                 do not flatten, with an Rq of {short:.2e} m: solids carry more than on these cells",
                 grid.dx()
             ),
-            format!(
-                "use smaller cells or a shortest wave; on these cells a contact film of molecules and these waves is {:.2e} m",
-                film + short
-            ),
+            "use smaller cells, or a shortest wave of four cells; a contact film larger by that Rq is far too large".to_owned(),
         )
     })
 }
