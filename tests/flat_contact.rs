@@ -169,13 +169,19 @@ fn scenes_out_of_range_are_refused_by_name() {
         ("nx = 256", "nx = 4", "grid.nx"),
         ("hardness = \"6 GPa\"", "hardness = 0.0", "plastic.hardness"),
         ("kind = \"self_affine\"", "kind = \"none\"", "none"),
-        ("[plastic]", "[elastic.layer]\nthickness = 1e-6\nmodulus = 3e11\npoisson = 0.3\n[plastic]", "elastic.layer"),
+        (
+            "[plastic]",
+            "[elastic.layer]\nthickness = 1e-6\nmodulus = 3e11\npoisson = 0.3\n[plastic]",
+            "elastic.layer",
+        ),
         ("[plastic]", "[lubricant]\neta0 = 0.01\n[plastic]", "lubricant"),
     ] {
         let text = scene.replacen(from, to, 1);
         assert_ne!(text, scene, "{from}");
         let error = match FlatContact::from_toml(&text) {
-            Ok(contact) => contact.solve(|| false).map(|solved| solved.numbers).map_err(|error| error.to_string()),
+            Ok(contact) => {
+                contact.solve(|| false).map(|solved| solved.numbers).map_err(|error| error.to_string())
+            }
             Err(error) => Err(error.to_string()),
         };
         let error = error.unwrap_err();

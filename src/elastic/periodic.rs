@@ -56,9 +56,8 @@ impl PeriodicHalfSpace {
     /// # Errors
     /// A strip, whose period is across alone. A grid of one node. A modulus that is not finite and positive.
     pub fn new(grid: Grid, equivalent_modulus: f64) -> Result<Self, InputError> {
-        let conflict = |reason: &str| {
-            Err(InputError::Conflict { field: "grid".to_owned(), reason: reason.to_owned() })
-        };
+        let conflict =
+            |reason: &str| Err(InputError::Conflict { field: "grid".to_owned(), reason: reason.to_owned() });
         if grid.is_strip() {
             return conflict("a strip repeats across alone; use StripHalfSpace, or Grid::from_edges");
         }

@@ -67,9 +67,11 @@ mod tests {
         let whole = RandomSurface::new(affine(40e-6, 2e-6), 1e-7, 1).with_height(HeightScale::Exact);
         let whole_sq = height_statistics(&whole.generate(&grid).unwrap()).unwrap().sq;
         // The same spectrum without its waves below 5 um: heights per mode are those of the plateau.
-        let [short, long] = [whole.rms_of_waves(2e-6, 5e-6, 2e-6), whole.rms_of_waves(2e-6, f64::INFINITY, 5e-6)];
+        let [short, long] =
+            [whole.rms_of_waves(2e-6, 5e-6, 2e-6), whole.rms_of_waves(2e-6, f64::INFINITY, 5e-6)];
         assert!((short.hypot(long) / whole_sq - 1.0).abs() < 1e-9);
-        let exact = ((0.25f64.powf(1.4) - 0.1f64.powf(1.4)) / 1.4
+        let exact = ((0.25f64.powf(1.4) - 0.1f64.powf(1.4))
+            / 1.4
             / (0.5 * (1.0 - 0.25) + (1.0 - 0.1f64.powf(1.4)) / 1.4))
             .sqrt();
         assert!((short / 1e-7 / exact - 1.0).abs() < 1e-9, "{short:e}");

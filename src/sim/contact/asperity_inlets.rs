@@ -148,10 +148,7 @@ pub(in crate::sim) fn warnings(
         Warning::new(
             "grid.nx",
             grid.nx() as f64,
-            format!(
-                "cells of {:.3e} m are {WIDE_CELLS}, load ratios err by a tenth or more",
-                grid.dx()
-            ),
+            format!("cells of {:.3e} m are {WIDE_CELLS}, load ratios err by a tenth or more", grid.dx()),
             format!("use cells of at most {widest:.3e} m"),
         )
     });

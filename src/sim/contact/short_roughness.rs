@@ -53,7 +53,7 @@ pub(in crate::sim) fn short_roughness(
 /// A warning where the contact film is that of molecules alone and the surfaces have a `short` roughness \[m\] above it.
 pub(in crate::sim) fn warning(scene: &Scene, grid: &Grid, short: f64) -> Option<Warning> {
     let film = scene.solver.film_cutoff;
-    (scene.is_lubricated() && film == LubricatedContact::FILM_CUTOFF && short > film).then(|| {
+    (scene.is_lubricated() && film <= LubricatedContact::FILM_CUTOFF && short > film).then(|| {
         Warning::new(
             "solver.film_cutoff",
             film,

@@ -98,7 +98,9 @@ impl Cell {
                     // The curve is nearly straight; margins keep a bend from stalling one side.
                     (low + (high - low) * share.clamp(0.02, 0.98)).exp()
                 }
-                [Some(wide), None] => (WIDENING * wide.mean_pressure).min(0.5 * (wide.mean_pressure + highest)),
+                [Some(wide), None] => {
+                    (WIDENING * wide.mean_pressure).min(0.5 * (wide.mean_pressure + highest))
+                }
                 _ => here.mean_pressure / WIDENING,
             };
             here = self.under_pressure(next)?;

@@ -179,7 +179,10 @@ impl FlatContact {
                 if !(gap > 0.0 && gap < touch) {
                     return Err(SimError::Input(InputError::Conflict {
                         field: format!("load.mean_gap = {}", format_number(gap)),
-                        reason: format!("must be above 0 and below {} m, where the surfaces touch", format_number(touch)),
+                        reason: format!(
+                            "must be above 0 and below {} m, where the surfaces touch",
+                            format_number(touch)
+                        ),
                     }));
                 }
                 let scale = 0.05 * self.equivalent_modulus * slope;
@@ -211,7 +214,10 @@ impl FlatContact {
             if let Some(hardness) = self.hardness.filter(|hardness| pressure >= *hardness) {
                 return Err(SimError::Input(InputError::Conflict {
                     field: format!("load.mean_pressure = {}", format_number(pressure)),
-                    reason: format!("the cell carries less than plastic.hardness = {}", format_number(hardness)),
+                    reason: format!(
+                        "the cell carries less than plastic.hardness = {}",
+                        format_number(hardness)
+                    ),
                 }));
             }
         }
@@ -225,7 +231,8 @@ impl FlatContact {
             warnings.extend(body.file_warnings);
             sum.iter_mut().zip(&body.heights).for_each(|(sum, height)| *sum += height);
         }
-        if sum.iter().all(|height| *height == sum[0]) {
+        let lowest = sum.iter().copied().fold(f64::INFINITY, f64::min);
+        if sum.iter().all(|height| *height <= lowest) {
             return Err(SimError::Input(InputError::Conflict {
                 field: "roughness".to_owned(),
                 reason: "both surfaces are smooth: they touch everywhere".to_owned(),
@@ -264,9 +271,8 @@ impl FlatContact {
             )
         });
         let steps = |pairs: &mut dyn Iterator<Item = (usize, usize)>| {
-            let (sum, n) = pairs.fold((0.0, 0.0_f64), |(sum, n), (a, b)| {
-                (sum + (heights[a] - heights[b]).powi(2), n + 1.0)
-            });
+            let (sum, n) = pairs
+                .fold((0.0, 0.0_f64), |(sum, n), (a, b)| (sum + (heights[a] - heights[b]).powi(2), n + 1.0));
             (sum / n.max(1.0)).sqrt()
         };
         let seams = [

@@ -115,7 +115,13 @@ impl MixedLubricationSim {
         let short_roughness = short_roughness(&self.scene, &grid, heights, &self.contact.hertz);
         let Some(lubricant) = &self.contact.lubricant else {
             let flash_rise = self.flash_estimate();
-            return Ok(Expectation { roughness, correlation_length, short_roughness, flash_rise, film: None });
+            return Ok(Expectation {
+                roughness,
+                correlation_length,
+                short_roughness,
+                flash_rise,
+                film: None,
+            });
         };
         let (flash_rise, film) = self.expected_film(lubricant, &roughness, correlation_length)?;
         Ok(Expectation { roughness, correlation_length, short_roughness, flash_rise, film: Some(film) })
@@ -210,7 +216,8 @@ impl MixedLubricationSim {
         let load_ratio_range = share.as_ref().map(|load| load.range);
         let load_ratio_by_contact_film = share.and_then(|load| load.by_contact_film);
         let all = |shares: Option<[f64; 2]>| {
-            let sums = shares.map(|shares| shares.map(|share| share * coefficient + (1.0 - share) * stress / mean));
+            let sums =
+                shares.map(|shares| shares.map(|share| share * coefficient + (1.0 - share) * stress / mean));
             sums.filter(|_| is_estimated)
         };
         let friction_range = all(load_ratio_range).map(|ends| [ends[0].min(ends[1]), ends[0].max(ends[1])]);
@@ -268,7 +275,8 @@ impl MixedLubricationSim {
         Ok(Some(if most_smooth > most {
             LoadShare { share: None, range: [least, most_smooth], by_contact_film: None }
         } else {
-            let at_film = |factor: f64| MixedLoadShare { contact_film: factor * contact_film, ..inlets }.load_ratio();
+            let at_film =
+                |factor: f64| MixedLoadShare { contact_film: factor * contact_film, ..inlets }.load_ratio();
             let by_contact_film = Some([at_film(0.5)?, at_film(2.0)?]);
             LoadShare { share: Some(share), range: [least, most], by_contact_film }
         }))

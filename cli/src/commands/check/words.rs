@@ -118,7 +118,9 @@ impl Expected {
             _ => shares.map(|share| format!("{share} of the load")),
         };
         let cutoff = 1e9 * self.sim.scene().solver.film_cutoff;
-        Some(format!("touch      at films of {cutoff:.2} nm; at half of it solids have {half}, at twice {twice}"))
+        Some(format!(
+            "touch      at films of {cutoff:.2} nm; at half of it solids have {half}, at twice {twice}"
+        ))
     }
 
     /// Viscosity and pressure-viscosity coefficient at the temperature of the contact, with their sources.

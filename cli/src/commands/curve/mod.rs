@@ -184,8 +184,7 @@ impl<'a> Curve<'a> {
         let (csv, rows, resolved, points) = ((path, file), Vec::new(), Vec::new(), Vec::new());
         let (plan, starts) = (Plan::new(options.model, scene), Starts::default());
         let is_complete = true;
-        let mut curve =
-            Self {
+        let mut curve = Self {
             options,
             columns,
             csv,
@@ -229,11 +228,11 @@ impl<'a> Curve<'a> {
             let at = (&mut conditions, value);
             let Some(points) = self.points_at(scenes, at, held)? else { return Ok(false) };
             let is_model = points.first().is_some_and(|point| !is_resolved(point));
-            self.take(value, points)?;
+            self.take(value, points, false)?;
             if is_model && beside.contains(&index) {
                 let (at, resolved) = ((&mut conditions, value), SolverModel::Resolved);
                 let Some(points) = self.solve_surfaces(scenes, at, resolved, held)? else { return Ok(false) };
-                self.take(value, points)?;
+                self.take(value, points, true)?;
             }
         }
         Ok(true)
@@ -252,8 +251,7 @@ impl<'a> Curve<'a> {
                 Ok(Some(points)) => match points.iter().find(|point| !point.solution.is_within_model()) {
                     None if !points.is_empty() => return Ok(Some(points)),
                     outside => {
-                        self.plan =
-                            outside.map_or(Plan::Resolved, |point| self.plan.after(&point.solution));
+                        self.plan = outside.map_or(Plan::Resolved, |point| self.plan.after(&point.solution));
                     }
                 },
                 // Outside of the model, or an error that the resolved solve repeats.
@@ -304,8 +302,8 @@ impl<'a> Curve<'a> {
         Ok(Some(points))
     }
 
-    /// Prints and writes the `points` of one value.
-    fn take(&mut self, value: f64, points: Vec<Point>) -> Result<(), Box<dyn Error>> {
+    /// Prints and writes the `points` of one value, those of the curve or resolved ones beside it.
+    fn take(&mut self, value: f64, points: Vec<Point>, is_beside: bool) -> Result<(), Box<dyn Error>> {
         self.bar.suspend(|| self.said.extend(warn(&self.columns.words(value), &points, &self.said)));
         let is_converged = |point: &&Point| point.solution.report.status == Status::Converged;
         let solutions: Vec<_> = points.iter().filter(is_converged).map(|point| &point.solution).collect();
@@ -317,7 +315,6 @@ impl<'a> Curve<'a> {
                 let lines = header.into_iter().chain([row.table_line(self.columns)]).collect::<Vec<_>>();
                 self.bar.suspend(|| output::print(&lines.join("\n")))?;
             }
-            let is_beside = self.rows.last().is_some_and(|last| last.at == row.at);
             if is_beside { &mut self.resolved } else { &mut self.rows }.push(row);
         }
         if self.remarks && points.iter().any(|point| surfaces::is_mixed(&point.solution)) {
@@ -339,7 +336,11 @@ impl<'a> Curve<'a> {
         if !self.rows.is_empty() {
             written.push(self.csv.0.clone());
             if self.options.output.plot {
-                let chart = chart::chart(&output::stem(&self.options.scene), self.columns, [&self.rows, &self.resolved]);
+                let chart = chart::chart(
+                    &output::stem(&self.options.scene),
+                    self.columns,
+                    [&self.rows, &self.resolved],
+                );
                 written.extend(picture::write(&chart, &self.options.output.out, name)?);
             }
         }

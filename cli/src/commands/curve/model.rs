@@ -74,7 +74,8 @@ impl Starts {
         if self.0.len() <= surface {
             self.0.resize(surface + 1, None);
         }
-        self.0[surface] = (solution.model == Some(SolverModel::AsperityInlets)).then(|| solution.state.clone());
+        self.0[surface] =
+            (solution.model == Some(SolverModel::AsperityInlets)).then(|| solution.state.clone());
     }
 }
 

@@ -12,7 +12,9 @@ use crate::{files, interrupt};
 pub(super) fn run(options: &Options, contact: &FlatContact) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
     if options.output.plot {
-        return Err("--plot: there are no pictures of a flat contact; --fields OUT.npz has its pressures".into());
+        return Err(
+            "--plot: there are no pictures of a flat contact; --fields OUT.npz has its pressures".into()
+        );
     }
     if let Some(path) = &options.fields {
         files::claim(std::slice::from_ref(path), options.output.force, output::OTHER_NAME)?;
