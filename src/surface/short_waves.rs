@@ -83,6 +83,9 @@ mod tests {
         let shape = RandomShape::Correlated { autocorrelation, length_x: 10e-6, length_y: 10e-6 };
         let surface = RandomSurface::new(shape, 1e-7, 1);
         assert!(surface.rms_of_waves(2.5e-6, 2.5e-6, 0.0) < 1e-14);
-        assert!(surface.rms_of_waves(10e-6, 10e-6, 0.0) > 2e-8);
+        // exp(-(q l/2)^2/ln 10) of the variance is in waves beyond q.
+        let beyond = (-std::f64::consts::PI.powi(2) / LN_10).exp();
+        let rms = surface.rms_of_waves(10e-6, 10e-6, 0.0);
+        assert!((rms / 1e-7 - (beyond / (1.0 - beyond)).sqrt()).abs() < 1e-12, "{rms:e}");
     }
 }
