@@ -41,7 +41,7 @@ usage: cargo run --release -p studies --bin asperity_inlets -- [--quick] [--out 
 const RADIUS: f64 = 9.525e-3 / 8.0;
 const BOX: f64 = 62.5e-6;
 /// Inlet numbers.
-const INLETS: [f64; 5] = [0.4, 0.8, 1.3, 2.0, 5.0];
+const INLETS: [f64; 4] = [0.8, 1.3, 2.0, 5.0];
 const SLIDE_ROLL_RATIO: f64 = 0.05;
 
 /// A way to solve a contact.
