@@ -1,7 +1,7 @@
 //! Errors of asperity inlets and of resolved solves on coarse cells, over the inlet number, lambda, lays and spectra.
 //!
 //! ```text
-//! cargo run --release -p studies --bin asperity_inlets                      # docs/asperity_inlets.{csv,svg}, ten minutes
+//! cargo run --release -p studies --bin asperity_inlets                      # asperity_inlets.{csv,svg}, half an hour
 //! cargo run --release -p studies --bin asperity_inlets -- --quick --out DIR # coarse cells, seconds
 //! ```
 //!
@@ -35,13 +35,13 @@ const USAGE: &str = "\
 usage: cargo run --release -p studies --bin asperity_inlets -- [--quick] [--out DIR]
 
   --quick    two surfaces on coarse cells
-  --out DIR  where to write asperity_inlets.csv and .svg (default docs)
+  --out DIR  where to write asperity_inlets.csv and .svg (default target/asperity_inlets)
 ";
 /// Radius of the ball and side of the box \[m\]: an eighth of those of Azam et al. (2019).
 const RADIUS: f64 = 9.525e-3 / 8.0;
 const BOX: f64 = 62.5e-6;
 /// Inlet numbers.
-const INLETS: [f64; 4] = [0.8, 1.3, 2.0, 5.0];
+const INLETS: [f64; 5] = [0.4, 0.8, 1.3, 2.0, 5.0];
 const SLIDE_ROLL_RATIO: f64 = 0.05;
 
 /// A way to solve a contact.
@@ -89,7 +89,7 @@ struct Row {
 }
 
 fn main() -> ExitCode {
-    command::run("asperity_inlets", USAGE, options("docs"), work)
+    command::run("asperity_inlets", USAGE, options("target/asperity_inlets"), work)
 }
 
 fn work(options: &Options) -> Result<(), Box<dyn Error>> {

@@ -25,11 +25,13 @@ pub(crate) struct Surface {
     seed: u64,
 }
 
-pub(crate) const SURFACES: [Surface; 7] = [
+pub(crate) const SURFACES: [Surface; 8] = [
     Surface { name: "Gaussian, 130 nm", rq: 130e-9, spectrum: Spectrum::Gaussian([10e-6; 2]), seed: 1 },
     Surface { name: "self-affine, H = 0.8", rq: 130e-9, spectrum: Spectrum::SelfAffine(0.8), seed: 2 },
     Surface { name: "self-affine, H = 0.4", rq: 60e-9, spectrum: Spectrum::SelfAffine(0.4), seed: 3 },
+    Surface { name: "Gaussian, 200 nm", rq: 200e-9, spectrum: Spectrum::Gaussian([14e-6; 2]), seed: 4 },
     Surface { name: "Gaussian, 80 nm", rq: 80e-9, spectrum: Spectrum::Gaussian([12e-6; 2]), seed: 5 },
+    Surface { name: "Gaussian, 30 nm", rq: 30e-9, spectrum: Spectrum::Gaussian([10e-6; 2]), seed: 6 },
     Surface {
         name: "lay along the flow, 3:1",
         rq: 130e-9,
@@ -42,7 +44,6 @@ pub(crate) const SURFACES: [Surface; 7] = [
         spectrum: Spectrum::Gaussian([8e-6, 24e-6]),
         seed: 9,
     },
-    Surface { name: "Gaussian, 30 nm", rq: 30e-9, spectrum: Spectrum::Gaussian([10e-6; 2]), seed: 6 },
 ];
 
 impl Surface {
