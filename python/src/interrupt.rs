@@ -33,3 +33,9 @@ pub(crate) fn on_signal() -> impl Fn() -> bool + Send + Sync + 'static {
         }
     }
 }
+
+/// The same, or whether it is `deadline`.
+pub(crate) fn on_signal_or_at(deadline: Instant) -> impl Fn() -> bool + Send + Sync + 'static {
+    let signal = on_signal();
+    move || signal() || Instant::now() >= deadline
+}

@@ -1,6 +1,6 @@
 //! Single contacts.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
@@ -10,7 +10,7 @@ use stribeck::sim::{ContactSolution, MixedLubricationSim, SimBuilder};
 
 use crate::convert::{field, named, on_grid};
 use crate::error::value;
-use crate::interrupt::on_signal;
+use crate::interrupt::{on_signal, on_signal_or_at};
 use crate::laws::{Failure, PyLaws};
 use crate::scene::{Nodes, Scene, grid_dict, nodes};
 use crate::start::BodyStart;
@@ -100,20 +100,25 @@ impl Start<'_> {
 /// Numbers, fields and nodes of a solution.
 pub(crate) type Solved<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, Nodes<'py>);
 
-/// Solves the single contact of `scene`.
+/// Solves the single contact of `scene`, in at most `budget` seconds.
 #[pyfunction]
-#[pyo3(signature = (scene, parts, start=None))]
+#[pyo3(signature = (scene, parts, start=None, budget=None))]
 pub(crate) fn solve<'py>(
     py: Python<'py>,
     scene: &Scene,
     parts: Parts<'py>,
     start: Option<Start<'py>>,
+    budget: Option<f64>,
 ) -> PyResult<Solved<'py>> {
+    let began = Instant::now();
     let mut builder = parts.builder(py, scene)?;
+    let budget = budget.map(Duration::try_from_secs_f64).and_then(Result::ok);
+    if let Some(deadline) = budget.and_then(|budget| began.checked_add(budget)) {
+        builder = builder.interrupt(on_signal_or_at(deadline));
+    }
     if let Some(start) = start {
         builder = builder.contact_start(start.state(py, scene)?);
     }
-    let began = Instant::now();
     let solved = py.detach(|| builder.solve());
     let seconds = began.elapsed().as_secs_f64();
     if let Some(error) = Failure.take() {

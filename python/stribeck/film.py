@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import Quantity, array, cells, number, numbers, path, truth, whole
-from ._numbers import Numbers
+from ._numbers import Fields, Numbers
 from ._solved import Solved
 from ._stribeck import solve_bearing, solve_film
 from ._typed import Flow, Forces
@@ -62,13 +62,15 @@ class GivenFilm(Solved):
     surfaces, ``side_flow`` [m^3/s] through the edges across y, ``power_loss`` [W] by friction, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
     and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
 
-    __slots__ = ("_rows", "film", "pressure", "theta", "warnings")
+    __slots__ = ("_rows", "film", "grid", "pressure", "theta", "warnings")
 
     load: float
     force: Forces
     side_flow: float
     power_loss: float
     flow: Flow
+    #: The cells of the fields.
+    grid: Grid
     film: npt.NDArray[np.float64]
     pressure: npt.NDArray[np.float64]
     theta: npt.NDArray[np.float64]
@@ -81,19 +83,24 @@ class GivenFilm(Solved):
         fields: Mapping[str, npt.NDArray[np.float64]],
         rows: list[tuple[npt.NDArray[np.float64], float | None]],
         warnings: list[StribeckWarning],
+        grid: Grid,
     ) -> None:
         super().__init__(values)
-        for name, value in {"_rows": rows, "warnings": warnings, **fields}.items():
+        for name, value in {"_rows": rows, "warnings": warnings, "grid": grid, **fields}.items():
             object.__setattr__(self, name, value)
 
     @classmethod
-    def _of(cls, solved: Any) -> GivenFilm:
+    def _of(cls, solved: Any, grid: Grid) -> GivenFilm:
         fields = {"film": solved.film(), "pressure": solved.pressure(), "theta": solved.theta()}
-        return cls(solved.numbers(), fields, solved.rows(), found(solved.warnings()))
+        return cls(solved.numbers(), fields, solved.rows(), found(solved.warnings()), grid)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        fields = {"film": self.film, "pressure": self.pressure, "theta": self.theta}
-        return type(self), (self.to_dict(), fields, self._rows, self.warnings)
+        return type(self), (self.to_dict(), self.fields, self._rows, self.warnings, self.grid)
+
+    @property
+    def fields(self) -> dict[str, npt.NDArray[np.float64]]:
+        """``film``, ``pressure`` and ``theta`` by name."""
+        return Fields({"film": self.film, "pressure": self.pressure, "theta": self.theta})
 
     def _ended(self) -> str:
         return f"the film ended as {self['status']} with an imbalance of {self['residual']['mass']:.3g}"
@@ -147,6 +154,6 @@ def given_film(
     ambient, cavitation = number("ambient_pressure", ambient_pressure, "Pa"), number("cavitation_pressure", cavitation_pressure, "Pa")
     given = film if callable(film) else array("film", film)
     edges = ambient, cavitation, truth("closed_sides", closed_sides)
-    solved = GivenFilm._of(solve_film(on, given, [lower, upper], oil, edges))
+    solved = GivenFilm._of(solve_film(on, given, [lower, upper], oil, edges), grid)
     say(solved.warnings, 2)
     return solved

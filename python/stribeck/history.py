@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 import os
 from collections.abc import Callable, Mapping
@@ -24,6 +25,8 @@ from .scene import Grid, Scene, as_scene
 from .solution import Heights, Solution, first_state, named_parts, parts, with_solver
 
 __all__ = ["Body", "History", "Record", "Simulation"]
+
+_log = logging.getLogger("stribeck")
 
 
 class Simulation(Kept):
@@ -127,7 +130,9 @@ class Simulation(Kept):
         """The records of all steps since the start, or since the checkpoint that was restored; of a run folder those of all its steps. It
         grows with the simulation."""
         for raw in self._raw.take_records():
-            self._history.append(Record._of(raw))
+            record = Record._of(raw)
+            self._history.append(record)
+            _log.info("step %d at %g s: friction %s", record["step"], record["time"], record["friction.coefficient"])
         return self._history
 
     @property

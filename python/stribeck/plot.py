@@ -1,28 +1,41 @@
-"""Pictures with matplotlib, which is optional: ``pip install matplotlib``. Each function draws into ``ax`` or axes of its own and
-returns them; a field or a column that is not there is a :class:`~stribeck.UnknownNameError`."""
+"""Pictures with matplotlib, which is optional: ``pip install matplotlib``. Each function draws into ``ax``, or into new axes, and returns the
+artists it has drawn, which know their axes: ``plot.map(solution).axes.set_title("film")``. A field or a column that is not there is a
+:class:`~stribeck.UnknownNameError`.
+
+:func:`map`, :func:`profile` and :func:`animation` take whatever has fields: a :class:`~stribeck.Solution`, a :class:`~stribeck.Simulation` (its last
+contact), a :class:`~stribeck.GivenFilm`, an ``xarray.Dataset`` of ``to_xarray()``, a pair ``(grid, fields)``; :func:`map` and
+:func:`profile` also a :class:`~stribeck.surface.Surface`."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
-from ._arguments import instance
-from ._numbers import unit
+from ._arguments import instance, refused
+from ._numbers import Fields, unit
 from ._stribeck import bearing_curve
 from .errors import unknown
-from .history import History
+from .film import GivenFilm
+from .history import History, Simulation
 from .metrics import bearing, radial_spectrum
+from .points import Sweep
+from .scene import Grid
 from .solution import Solution
+from .surface import Surface
 
 if TYPE_CHECKING:
+    from matplotlib.animation import FuncAnimation
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.image import AxesImage
+    from matplotlib.lines import Line2D
 
-    from .surface import Surface
+__all__ = ["animation", "curve", "history", "map", "profile", "surface"]
 
-__all__ = ["history", "map", "profile", "surface"]
+Shown: TypeAlias = Any
 
 #: Fields: scale of the unit shown and its name.
 _SHOWN = {
@@ -30,25 +43,64 @@ _SHOWN = {
     "fluid_pressure": (1e-9, "GPa"),
     "film": (1e9, "nm"),
     "gap": (1e6, "um"),
+    "height": (1e6, "um"),
     "plastic_depth": (1e9, "nm"),
     "theta": (1.0, ""),
     "in_contact": (1.0, ""),
 }
+_WITH_FIELDS = "a Solution, a Simulation, a GivenFilm, a Dataset of to_xarray(), a Surface or a pair (grid, fields)"
+#: Distance between the scales of further units beside a profile [points].
+_SCALE_WIDTH = 50
 
 
-def _axes(ax: Axes | None) -> Axes:
-    if ax is not None:
-        return ax
+class _Maps(NamedTuple):
+    """Fields over the positions ``x`` and ``y``, in units of ``length``."""
+
+    fields: Mapping[str, npt.NDArray[Any]]
+    x: npt.NDArray[np.float64]
+    y: npt.NDArray[np.float64]
+    length: str
+
+    def extent(self) -> tuple[float, float, float, float]:
+        """Outer edges of the cells: left, right, low, high."""
+        halves = [0.5 * (place[1] - place[0]) if len(place) > 1 else 0.5 for place in (self.x, self.y)]
+        (dx, dy), (x, y) = halves, (self.x, self.y)
+        return float(x[0] - dx), float(x[-1] + dx), float(y[0] - dy), float(y[-1] + dy)
+
+
+def _maps(shown: Shown) -> _Maps:
+    """The fields of whatever has some."""
+    if isinstance(shown, Surface):
+        ny, nx = shown.shape
+        known = shown.dx is not None and shown.dy is not None
+        dx, dy = (1e6 * (shown.dx or 0.0), 1e6 * (shown.dy or 0.0)) if known else (1.0, 1.0)
+        x, y = (size * (np.arange(count, dtype=np.float64) + 0.5) for size, count in ((dx, nx), (dy, ny)))
+        return _Maps(Fields({"height": shown.to_masked()}), x, y, "um" if known else "points")
+    if isinstance(shown, Solution | Simulation | GivenFilm):
+        return _on_grid(shown.grid, shown.fields)
+    if isinstance(shown, tuple) and len(shown) == 2 and isinstance(shown[0], Grid) and isinstance(shown[1], Mapping):
+        return _on_grid(*shown)
+    variables = getattr(shown, "data_vars", None)
+    if variables is not None and {"x", "y"} <= set(shown.coords):
+        fields = {str(name): field.values for name, field in variables.items() if field.dims == ("y", "x")}
+        return _Maps(Fields(fields), 1e6 * shown["x"].values, 1e6 * shown["y"].values, "um")
+    raise refused("shown", shown, _WITH_FIELDS)
+
+
+def _on_grid(grid: Grid, fields: Mapping[str, npt.NDArray[Any]]) -> _Maps:
+    return _Maps(Fields(fields), 1e6 * grid.x, 1e6 * grid.y, "um")
+
+
+def _pyplot() -> Any:
     try:
         import matplotlib.pyplot as plt
     except ImportError as error:
         raise ImportError("stribeck.plot needs matplotlib: pip install matplotlib") from error
-    return plt.subplots(layout="constrained")[1]
+    return plt
 
 
-def _field(solution: Solution, name: str) -> Any:
-    instance("solution", solution, Solution, "a Solution, such as stribeck.solve(scene)")
-    return solution.fields[name]
+def _axes(ax: Axes | None) -> Any:
+    return _pyplot().subplots(layout="constrained")[1] if ax is None else ax
 
 
 def _label(name: str, shown: str) -> str:
@@ -56,82 +108,150 @@ def _label(name: str, shown: str) -> str:
     return f"{words}, {shown}" if shown else words
 
 
-def map(solution: Solution, name: str = "film", *, ax: Axes | None = None, **options: Any) -> Axes:  # noqa: A001
-    """A field of a solution over x and y in micrometres; ``options`` go to ``imshow``."""
-    values = _field(solution, name)
+def _chosen(names: str | Sequence[str]) -> list[str]:
+    return [names] if isinstance(names, str) else list(names)
+
+
+def _own_name(shown: Shown, name: str | None) -> str:
+    """The name of the field, by default that of the film or of the heights."""
+    return name or ("height" if isinstance(shown, Surface) else "film")
+
+
+def map(shown: Shown, name: str | None = None, *, ax: Axes | None = None, **options: Any) -> AxesImage:  # noqa: A001
+    """A field over x and y in micrometres, by default the film; ``options`` go to ``imshow``. Undefined points are grey."""
+    name = _own_name(shown, name)
+    maps = _maps(shown)
+    values = maps.fields[name]
     axes = _axes(ax)
-    grid = solution.grid
-    scale, shown = _SHOWN.get(name, (1.0, ""))
-    (left, right), (low, high) = grid.edges_x, grid.edges_y
-    extent = 1e6 * left, 1e6 * right, 1e6 * low, 1e6 * high
-    image = axes.imshow(values * scale, origin="lower", extent=extent, **options)
-    axes.figure.colorbar(image, ax=axes, label=_label(name, shown))
-    axes.set_xlabel("x, um")
-    axes.set_ylabel("y, um")
-    return axes
+    scale, unit_shown = _SHOWN.get(name, (1.0, ""))
+    colors = _pyplot().get_cmap(options.pop("cmap", "viridis")).with_extremes(bad="0.67")
+    image: AxesImage = axes.imshow(values * scale, origin="lower", extent=maps.extent(), cmap=colors, **options)
+    axes.figure.colorbar(image, ax=axes, label=_label(name, unit_shown))
+    axes.set(xlabel=f"x, {maps.length}", ylabel=f"y, {maps.length}")
+    return image
 
 
 def profile(
-    solution: Solution, names: str | Sequence[str] = "film", *, along: str = "x", ax: Axes | None = None, **options: Any
-) -> Axes:
-    """Fields along the row or column next to the middle of the contact; ``options`` go to ``plot``."""
+    shown: Shown, names: str | Sequence[str] | None = None, *, along: str = "x", ax: Axes | None = None, **options: Any
+) -> list[Line2D]:
+    """Fields along the row or column next to the middle of the contact, each unit on a scale of its own; ``options`` go to ``plot``."""
     if along not in ("x", "y"):
         raise unknown("along", along, ("x", "y"))
-    chosen = [names] if isinstance(names, str) else list(names)
-    fields = [_field(solution, name) for name in chosen]
+    chosen = _chosen(_own_name(shown, None) if names is None else names)
+    maps = _maps(shown)
+    fields = [maps.fields[name] for name in chosen]
     axes = _axes(ax)
-    grid = solution.grid
-    positions, across = (grid.x, grid.y) if along == "x" else (grid.y, grid.x)
-    middle = int(abs(across).argmin())
-    for name, field in zip(chosen, fields, strict=True):
-        scale, shown = _SHOWN.get(name, (1.0, ""))
+    positions, across = (maps.x, maps.y) if along == "x" else (maps.y, maps.x)
+    middle = len(across) // 2 if isinstance(shown, Surface) else int(abs(across).argmin())
+    scales: dict[str, Any] = {}
+    lines: list[Line2D] = []
+    for k, (name, field) in enumerate(zip(chosen, fields, strict=True)):
+        scale, unit_shown = _SHOWN.get(name, (1.0, ""))
+        own = scales.setdefault(unit_shown, axes if not scales else axes.twinx())
         line = field[middle, :] if along == "x" else field[:, middle]
-        axes.plot(1e6 * positions, scale * line, label=_label(name, shown), **options)
-    axes.set_xlabel(f"{along}, um")
-    if len(chosen) == 1:
-        axes.set_ylabel(_label(chosen[0], _SHOWN.get(chosen[0], (1.0, ""))[1]))
-    else:
-        axes.legend()
-    return axes
+        lines += own.plot(positions, scale * line, **{"color": f"C{k % 10}", "label": _label(name, unit_shown), **options})
+    axes.set_xlabel(f"{along}, {maps.length}")
+    for k, (unit_shown, own) in enumerate(scales.items()):
+        of_unit = [name for name in chosen if _SHOWN.get(name, (1.0, ""))[1] == unit_shown]
+        own.set_ylabel(_label(" and ".join(of_unit), unit_shown))
+        if k > 1:
+            own.spines["right"].set_position(("outward", _SCALE_WIDTH * (k - 1)))
+    if len(lines) > 1:
+        axes.legend(handles=lines)
+    return lines
 
 
 def history(
-    records: History, names: str | Sequence[str] = "friction.coefficient", *, ax: Axes | None = None, **options: Any
-) -> Axes:
+    records: History | Simulation, names: str | Sequence[str] = "friction.coefficient", *, ax: Axes | None = None, **options: Any
+) -> list[Line2D]:
     """Columns of a history over time in seconds; ``options`` go to ``plot``."""
-    instance("records", records, History, "a History, such as simulation.history")
-    chosen = [names] if isinstance(names, str) else list(names)
+    if isinstance(records, Simulation):
+        records = records.history
+    instance("records", records, History, "a History or a Simulation")
+    chosen = _chosen(names)
     columns = [records[name] for name in chosen]
     axes = _axes(ax)
+    lines: list[Line2D] = []
     for name, column in zip(chosen, columns, strict=True):
-        axes.plot(records["time"], column, label=_label(name, unit(name)), **options)
+        lines += axes.plot(records["time"], column, label=_label(name, unit(name)), **options)
     axes.set_xlabel("time, s")
-    if len(chosen) == 1:
-        axes.set_ylabel(_label(chosen[0], unit(chosen[0])))
+    _name_values(axes, chosen)
+    return lines
+
+
+def curve(
+    sweep: Sweep, names: str | Sequence[str] = "friction.coefficient", *, over: str | None = None, ax: Axes | None = None, **options: Any
+) -> list[Line2D]:
+    """Numbers of a sweep over one of its inputs, by default the first, a line for each value of the others: a Stribeck curve where that input is
+    the speed. Scales are logarithmic where positive values span more than a decade; ``options`` go to ``plot``."""
+    instance("sweep", sweep, Sweep, "a Sweep, such as stribeck.sweep(scene, {...})")
+    across = next(iter(sweep.axes)) if over is None else over
+    if across not in sweep.axes:
+        raise unknown("over", across, sweep.axes)
+    chosen = _chosen(names)
+    places, columns = sweep[across], [sweep[name] for name in chosen]
+    others = [key for key in sweep.axes if key != across]
+    groups: dict[tuple[Any, ...], list[int]] = {}
+    for k in range(len(sweep)):
+        groups.setdefault(tuple(sweep[key][k] for key in others), []).append(k)
+    axes = _axes(ax)
+    lines: list[Line2D] = []
+    for name, column in zip(chosen, columns, strict=True):
+        for values, points in groups.items():
+            own = [f"{key} = {value:g}" if isinstance(value, float) else f"{key} = {value}" for key, value in zip(others, values, strict=True)]
+            label = ", ".join([*([_label(name, unit(name))] if len(chosen) > 1 or not own else []), *own])
+            order = sorted(points, key=lambda k: places[k])
+            lines += axes.plot(places[order], column[order], **{"marker": "o", "label": label, **options})
+    for set_scale, shown in ((axes.set_xscale, [places]), (axes.set_yscale, columns)):
+        if all(np.nanmin(column) > 0.0 and np.nanmax(column) > 10.0 * np.nanmin(column) for column in shown):
+            set_scale("log")
+    axes.set_xlabel(_label(across, unit(across)))
+    _name_values(axes, chosen)
+    if others:
+        axes.legend()
+    return lines
+
+
+def _name_values(axes: Any, names: Sequence[str]) -> None:
+    """The name of the only column beside the scale, or a legend."""
+    if len(names) == 1:
+        axes.set_ylabel(_label(names[0], unit(names[0])))
     else:
         axes.legend()
-    return axes
+
+
+def animation(
+    frames: Sequence[Shown], name: str = "film", *, interval: float = 100.0, ax: Axes | None = None, **options: Any
+) -> FuncAnimation:
+    """A field of contacts one after the other, ``interval`` milliseconds each, under one scale of colors: of a history, say, whose ``callback``
+    appends ``(simulation.grid, simulation.fields)`` to a list. ``options`` go to ``imshow``; ``.save("film.gif")`` writes it."""
+    from matplotlib.animation import FuncAnimation
+
+    fields = [_maps(frame).fields[name] * _SHOWN.get(name, (1.0, ""))[0] for frame in frames]
+    if not fields:
+        raise refused("frames", frames, "at least one contact")
+    limits = {"vmin": min(np.nanmin(field) for field in fields), "vmax": max(np.nanmax(field) for field in fields)}
+    image = map(frames[0], name, ax=ax, **{**limits, **options})
+    figure: Any = image.figure
+
+    def draw(k: int) -> tuple[AxesImage]:
+        image.set_data(fields[k])
+        return (image,)
+
+    return FuncAnimation(figure, draw, frames=len(fields), interval=interval)
 
 
 def surface(measured: Surface) -> Figure:
     """A figure of a surface: height map with undefined points in grey, middle profile, height distribution, bearing curve with the
     construction of Sk, spectrum."""
-    try:
-        import matplotlib.pyplot as plt
-    except ImportError as error:
-        raise ImportError("stribeck.plot needs matplotlib: pip install matplotlib") from error
-    figure, axes = plt.subplots(2, 3, figsize=(15, 8), layout="constrained")
+    figure: Figure
+    figure, axes = _pyplot().subplots(2, 3, figsize=(15, 8), layout="constrained")
     ny, nx = measured.shape
     known = measured.dx is not None and measured.dy is not None
-    dx, dy = (1e6 * (measured.dx or 0.0), 1e6 * (measured.dy or 0.0)) if known else (1.0, 1.0)
-    length = "um" if known else "points"
     heights = 1e6 * measured.to_masked()
-    grey = plt.get_cmap("viridis").with_extremes(bad="0.67")
-    image = axes[0, 0].imshow(heights, origin="lower", extent=(0.0, nx * dx, 0.0, ny * dy), cmap=grey)
-    figure.colorbar(image, ax=axes[0, 0], label="height, um")
-    axes[0, 0].set(xlabel=f"x, {length}", ylabel=f"y, {length}")
-    axes[0, 1].plot(dx * (np.arange(nx) + 0.5), heights[ny // 2].filled(np.nan))
-    axes[0, 1].set(xlabel=f"x, {length}", ylabel="height, um", title=f"row {ny // 2}")
+    map(measured, ax=axes[0, 0])
+    profile(measured, ax=axes[0, 1])
+    axes[0, 1].set_title(f"row {ny // 2}")
     axes[0, 2].hist(heights.compressed(), bins=60, density=True)
     axes[0, 2].set(xlabel="height, um", ylabel="density, 1/um")
     _bearing(axes[1, 0], measured)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Mapping
 from typing import Any
@@ -9,14 +10,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import instance, named, optional_heights, path as _path, refused, text, writing
+from ._arguments import Quantity, instance, named, number, optional_heights, path as _path, refused, text, writing
 from ._held import held
 from ._numbers import Fields, Numbers, Table, flat, frame, units
 from ._solved import Report, Solved
 from ._stribeck import solve as _solve
 from ._typed import Contact, Errors, Film, Flow, Friction, Hertz, Moes, Pressure, Roughness
 from .bodies import BodyStart
-from .errors import InputError, StribeckWarning, found, say
+from .errors import InputError, InterruptedSolve, StribeckWarning, found, say
 from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw
 from .scene import Grid, Nodes, Scene, as_scene
 
@@ -24,6 +25,8 @@ __all__ = ["Report", "Solution", "solve"]
 
 Heights = npt.ArrayLike | tuple[npt.ArrayLike | None, npt.ArrayLike | None] | Mapping[str, npt.ArrayLike | None] | None
 
+
+_log = logging.getLogger("stribeck")
 
 #: Fields that a solve can start from.
 _STARTS = {"pressure", "fluid_pressure", "film", "theta", "plastic_depth", "in_contact"}
@@ -137,6 +140,7 @@ def solve(
     plasticity: PlasticityModel | Any = None,
     solver: str | ContactSolver | Any = None,
     start: Solution | None = None,
+    budget: Quantity | None = None,
 ) -> Solution:
     """Solves the single contact of ``scene``, surfaces as they are.
 
@@ -144,27 +148,59 @@ def solve(
     dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact,
     ``deformation`` a model of the elastic bodies, ``viscosity`` and ``density`` are laws of the lubricant, ``plasticity`` is the largest pressure of the
     bodies (:mod:`stribeck.laws`). ``solver`` is the name of a solver in place of that of the scene, or one in Python, ``start`` a solution on the same
-    grid whose pressures are a first guess. Other threads run meanwhile; Ctrl-C ends the solve. What is unlikely to be meant is said as a
+    grid whose pressures are a first guess. After ``budget`` [s] the solve ends with :class:`~stribeck.InterruptedSolve`, refined grids
+    included. Other threads run meanwhile; Ctrl-C ends the solve. The logger ``stribeck`` says status and work of each solve at the level ``INFO``. What is unlikely to be meant is said as a
     :class:`~stribeck.StribeckWarning` and stands in ``warnings`` of the solution.
 
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
     for what cannot be solved.
     """
     given = {"friction": friction, "deformation": deformation, "viscosity": viscosity, "density": density, "plasticity": plasticity}
-    solution = _solution(scene, heights=heights, bodies=bodies, solver=solver, start=start, **given)
+    solution = _solution(scene, heights=heights, bodies=bodies, solver=solver, start=start, budget=budget, **given)
     say(solution.warnings, 2)
     return solution
 
 
-def _solution(scene: Any, *, heights: Any = None, bodies: Any = None, solver: Any = None, start: Any = None, **laws: Any) -> Solution:
+def _solution(
+    scene: Any,
+    *,
+    heights: Any = None,
+    bodies: Any = None,
+    solver: Any = None,
+    start: Any = None,
+    budget: Any = None,
+    **laws: Any,
+) -> Solution:
     """The solution of :func:`solve`, whose warnings are not said."""
+    seconds = _budget(budget)
     chosen = with_solver(as_scene(scene), solver)
     keeper, called = held({**laws, "solver": solver})
     given = parts(heights, bodies, called)
     with named(named_parts(given, bodies)):
-        solution = Solution(*_solve(chosen._raw, given, first_state(start, chosen)), scene=chosen)
+        try:
+            solution = Solution(*_solve(chosen._raw, given, first_state(start, chosen), seconds), scene=chosen)
+        except InterruptedSolve as error:
+            raise InterruptedSolve(f"{error}: its budget of {seconds:g} s is spent", field="budget", value=budget) from None
     del keeper
+    _log.info(
+        "contact %s: %s with %d iterations, %.0f convolutions, %.3g s",
+        solution["status"],
+        solution["solver"],
+        solution["work"]["iterations"],
+        solution["work"]["convolutions"],
+        solution["seconds"],
+    )
     return solution
+
+
+def _budget(budget: Any) -> float | None:
+    """Seconds that a solve may take, more than none."""
+    if budget is None:
+        return None
+    seconds = number("budget", budget, "s")
+    if not seconds > 0.0:
+        raise refused("budget", budget, "seconds, more than 0")
+    return seconds
 
 
 def first_state(start: Any, scene: Scene) -> dict[str, Any] | None:

@@ -25,7 +25,7 @@ _FORMAT = 1
 #: Status of a point whose solve raised.
 _REFUSED = "refused"
 #: Keywords of a solve that a sweep hands on.
-_GIVEN = ("heights", "bodies", "friction", "deformation", "viscosity", "density", "plasticity", "solver")
+_GIVEN = ("heights", "bodies", "friction", "deformation", "viscosity", "density", "plasticity", "solver", "budget")
 
 Measure = Callable[[Solution], Any]
 
@@ -64,7 +64,7 @@ def sweep(
     progress
         A bar, where tqdm is installed and standard error is a terminal.
     **given
-        Heights, bodies, laws and solver as for :func:`solve`.
+        Heights, bodies, laws, solver and the budget of each point as for :func:`solve`.
 
     Returns
     -------

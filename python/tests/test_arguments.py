@@ -91,7 +91,7 @@ def test_text_with_a_unit_is_a_number(dry: Scene) -> None:
         ("name", "nonsense", lambda s: stribeck.Simulation(s).run(1, 1.0)["nonsense"]),
         ("field", "nonsense", lambda s: plot.map(stribeck.solve(s), "nonsense")),
         ("field", "nonsense", lambda s: plot.profile(stribeck.solve(s), ["film", "nonsense"])),
-        ("solution", 3, lambda s: plot.map(3)),
+        ("shown", 3, lambda s: plot.map(3)),
         ("along", "z", lambda s: plot.profile(stribeck.solve(s), along="z")),
     ],
 )

@@ -302,3 +302,24 @@ def test_columns_of_long_histories_are_read_once(rough: stribeck.Scene) -> None:
         history["film.mean_central"]
     # a column that is looked up anew takes some 10 ms each time
     assert time.perf_counter() - began < 2.0
+
+
+def test_budget_ends_a_solve_and_a_refined_grid(rough: stribeck.Scene) -> None:
+    fine = stribeck.Scene.azam_2019(256)
+    for scene in (fine, stribeck.Scene.azam_2019(32).replace(grid={"accuracy": 1e-3})):
+        with pytest.raises(stribeck.InterruptedSolve, match="budget of 0.05 s") as caught:
+            stribeck.solve(scene, budget="50 ms")
+        assert caught.value.field == "budget" and caught.value.value == "50 ms"
+    assert stribeck.solve(rough, budget=3600) == stribeck.solve(rough)
+    for wrong in (0.0, -1.0, float("nan")):
+        with pytest.raises(stribeck.InputError, match="budget"):
+            stribeck.solve(rough, budget=wrong)
+    sweep = stribeck.sweep(fine, {"motion.entrainment_speed": [0.1]}, budget=0.05)
+    assert sweep[0]["status"] == "refused" and "budget" in sweep[0].error
+
+
+def test_logger_says_each_solve_and_each_step(rough: stribeck.Scene, caplog: pytest.LogCaptureFixture) -> None:
+    with caplog.at_level("INFO", logger="stribeck"):
+        stribeck.solve(rough)
+        stribeck.Simulation(rough).run(2, 10.0)
+    assert [record.getMessage().split(":")[0] for record in caplog.records] == ["contact converged", "step 1 at 10 s", "step 2 at 20 s"]

@@ -407,14 +407,69 @@ def test_pictures(rough: stribeck.Scene) -> None:
     from stribeck import plot
 
     solution = stribeck.solve(rough)
-    axes = plot.map(solution, "pressure")
-    np.testing.assert_array_equal(axes.images[0].get_array(), solution.fields["pressure"] * 1e-9)
-    assert axes.get_xlabel() == "x, um"
-    axes = plot.profile(solution, ["film", "gap"], along="y")
-    assert [line.get_label() for line in axes.lines] == ["film, nm", "gap, um"]
+    image = plot.map(solution, "pressure")
+    np.testing.assert_array_equal(image.get_array(), solution.fields["pressure"] * 1e-9)
+    assert image.axes.get_xlabel() == "x, um"
+    first, second = plot.profile(solution, ["film", "gap"], along="y")
+    assert [line.get_label() for line in (first, second)] == ["film, nm", "gap, um"]
+    assert first.axes is not second.axes and first.axes.bbox.bounds == second.axes.bbox.bounds
     history = stribeck.Simulation(rough).run(2, 60.0)
-    axes = plot.history(history, "wear.disc_max")
-    assert axes.get_ylabel() == "wear disc max, m" and axes.lines[0].get_xdata().tolist() == [60.0, 120.0]
+    (line,) = plot.history(history, "wear.disc_max")
+    assert line.axes.get_ylabel() == "wear disc max, m" and line.get_xdata().tolist() == [60.0, 120.0]
+    plt.close("all")
+
+
+def test_pictures_of_whatever_has_fields(rough: stribeck.Scene, tmp_path: Path) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    from stribeck import plot
+
+    solution, simulation = stribeck.solve(rough), stribeck.Simulation(rough)
+    frames = []
+    simulation.run(3, 60.0, callback=lambda s, _: frames.append((s.grid, s.fields)))
+    box = stribeck.Grid.box(8, 4, (0.0, 1e-3), (0.0, 1e-3))
+    pad = stribeck.given_film(np.full((4, 8), 1e-6), box, speeds=(1.0, 0.0), eta0=0.01)
+    measured = stribeck.surface.Surface(np.arange(12.0).reshape(3, 4) * 1e-9, 1e-6)
+    wanted = [(solution, solution.fields["film"]), (simulation, simulation.fields["film"]), (frames[0], frames[0][1]["film"]), (pad, pad.film)]
+    for shown, film in wanted:
+        np.testing.assert_array_equal(plot.map(shown).get_array(), film * 1e9)
+    assert plot.map(measured).get_extent() == pytest.approx([0.0, 4.0, 0.0, 3.0])
+    assert np.asarray(plot.profile(measured)[0].get_ydata()) == pytest.approx([0.004, 0.005, 0.006, 0.007])
+    pytest.importorskip("xarray")
+    np.testing.assert_array_equal(plot.map(solution.to_xarray()).get_array(), solution.fields["film"] * 1e9)
+    moving = plot.animation(frames, "film")
+    moving.save(tmp_path / "film.gif", writer="pillow")
+    assert (tmp_path / "film.gif").read_bytes()[:3] == b"GIF"
+    for wrong in (3, (box, 3), {}):
+        with pytest.raises(stribeck.InputError, match="shown"):
+            plot.map(wrong)
+    with pytest.raises(stribeck.InputError, match="frames"):
+        plot.animation([])
+    plt.close("all")
+
+
+def test_curves_of_a_sweep_are_lines_over_its_first_input(rough: stribeck.Scene) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    from stribeck import plot
+
+    over = {"motion.entrainment_speed": [0.01, 0.1, 1.0], "load.force": [5.0, 10.0]}
+    sweep = stribeck.sweep(rough.replace(load={"force": 5.0}), over)
+    lines = plot.curve(sweep, "film.mean_central")
+    assert [line.get_label() for line in lines] == ["load.force = 5", "load.force = 10"]
+    assert lines[0].get_xdata().tolist() == [0.01, 0.1, 1.0] and lines[0].axes.get_xscale() == "log"
+    np.testing.assert_array_equal(lines[1].get_ydata(), sweep["film.mean_central"].reshape(3, 2)[:, 1])
+    assert len(plot.curve(sweep, over="load.force")) == 3
+    with pytest.raises(stribeck.UnknownNameError, match="film.centrall"):
+        plot.curve(sweep, "film.centrall")
+    with pytest.raises(stribeck.InputError, match="sweep"):
+        plot.curve(rough)
     plt.close("all")
 
 

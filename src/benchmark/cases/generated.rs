@@ -85,6 +85,8 @@ impl Contact {
         }
         scene.load.hertz_pressure = Some(self.pressure);
         scene.motion.entrainment_speed = self.speed;
+        // Solvers are compared, not boxes: solids may touch at the edge.
+        scene.solver.edge_contact = true;
         // The same equations for all solvers, multigrid among them.
         scene.lubricant = scene.lubricant.map(|oil| oil.with_inlet(InletSpec::BoxEdge));
         scene.plastic = self.hardness.is_finite().then(|| PlasticSpec::new(self.hardness));

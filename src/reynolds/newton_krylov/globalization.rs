@@ -1,7 +1,9 @@
 //! Globalization: how far a Newton step goes, towards which equations, and when the iteration has stalled.
 
 use super::homotopy::Homotopy;
-use super::settings::{BACKTRACK_AFTER, GROWTH, LARGEST_CHANGE, LINEARIZATION_ERROR, NewtonSettings};
+use super::settings::{
+    BACKTRACK_AFTER, FINE_GRID, GROWTH, LARGEST_CHANGE, LINEARIZATION_ERROR, NewtonSettings,
+};
 use crate::reynolds::problem::LubricatedContact;
 
 /// Progress: a residual of at most this times the last one that was progress.
@@ -68,7 +70,11 @@ impl Globalization {
             halved: f64::INFINITY,
             since_halved: 0,
             stall_window: settings.stall_window,
-            halvings: settings.halvings,
+            halvings: if problem.grid().len() < FINE_GRID {
+                settings.halvings
+            } else {
+                settings.halvings.min(1)
+            },
             is_tight: false,
         }
     }
