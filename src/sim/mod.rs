@@ -26,12 +26,14 @@
 //! [`Scene::grid`].
 
 mod contact;
+mod cycle;
 pub mod ensemble;
 mod error;
 mod files;
 #[cfg(feature = "serde")]
 mod flat_contact;
 mod history;
+mod passage;
 #[cfg(feature = "serde")]
 mod rigid_bearing;
 pub mod scene;
@@ -52,6 +54,7 @@ pub use contact::numbers::{
 pub use contact::oil_numbers::OilNumbers;
 pub use contact::solution::ContactSolution;
 pub use contact::warnings::{Warning, given_film_warnings};
+pub use cycle::{CyclePoint, CycleSolution};
 #[cfg(feature = "serde")]
 pub use error::CheckpointError;
 pub use error::{BoxTooSmall, EdgeQuantity, SimError};
@@ -74,6 +77,7 @@ pub use history::runs::RunEnd;
 pub use history::simulation::MixedLubricationSim;
 pub use history::start::BodyStart;
 pub use history::step_control::StepControl;
+pub use passage::{PassageNumbers, PassageSolution, Scatter};
 #[cfg(feature = "serde")]
 pub use rigid_bearing::{BearingNumbers, BearingSolution, RigidBearing};
 pub use scene::hertz::HertzContact;

@@ -220,6 +220,15 @@ impl ContactModel {
         Ok(())
     }
 
+    /// Sets the form of `scene`; Hertz contact and formulas follow with the next
+    /// [`set_conditions`](ContactModel::set_conditions).
+    pub(in crate::sim) fn set_form(&mut self, scene: &Scene) -> Result<(), InputError> {
+        scene.form.gap_into(&self.grid, &mut self.form_gap)?;
+        // No load is equal to NaN: the next conditions are new ones.
+        self.load = f64::NAN;
+        Ok(())
+    }
+
     /// Sets the bulk `temperature` \[K\] of the lubricant.
     fn warm_to(&mut self, temperature: f64) {
         if temperature.to_bits() != self.bulk_temperature.to_bits() {

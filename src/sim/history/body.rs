@@ -7,6 +7,7 @@ use crate::error::InputError;
 use crate::metrics;
 use crate::plastic::PlasticDepth;
 use crate::sim::error::SimError;
+use crate::sim::history::squeeze_memory::mirror_rows;
 use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::{SurfaceLedger, Volumes, WearDepth};
 
@@ -133,6 +134,16 @@ impl Body {
     /// See [`Body::ledger`].
     pub fn volumes(&self, cell_area: f64) -> Result<Volumes, InputError> {
         Ok(self.ledger()?.volumes(cell_area))
+    }
+
+    /// Mirrors an unworn body without a tribofilm in x, on rows of `nx` nodes.
+    pub(in crate::sim) fn mirror(&mut self, nx: usize) -> Result<(), InputError> {
+        let mut depths = self.plastic.values().to_vec();
+        for field in [&mut self.initial, &mut self.surface, &mut depths] {
+            mirror_rows(field, nx);
+        }
+        self.plastic = PlasticDepth::from_values(depths)?;
+        Ok(())
     }
 
     /// Recomputes the surface from its height balance. Heights that are not finite are an error.

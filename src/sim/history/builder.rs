@@ -70,7 +70,7 @@ pub struct SimBuilder {
     /// Motion of the roughness from step to step.
     pub(in crate::sim) motion: Option<Arc<dyn RoughnessMotion>>,
     /// Whether the film has a squeeze term.
-    squeeze: bool,
+    pub(in crate::sim) squeeze: bool,
     /// Custom heights of ball and disc \[m\].
     pub(in crate::sim) heights: [Option<Vec<f64>>; 2],
     /// Bodies from earlier runs.
@@ -333,6 +333,7 @@ impl SimBuilder {
     /// # Errors
     /// A scene or heights that do not fit.
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
+        require_at_rest(&self.scene, "histories have the keys of [track]")?;
         self.scene.schedule.read_tables()?;
         self.require_growable()?;
         #[cfg(feature = "serde")]
@@ -524,6 +525,19 @@ impl SimBuilder {
         warnings::reject_height_unit(&format!("roughness.{name}"), &initial, half_width)?;
         Ok(Body::new(initial, laws.growth.as_deref()))
     }
+}
+
+/// Rejects roughness in motion where contacts have it at rest; `remedy` is the other way.
+pub(in crate::sim) fn require_at_rest(scene: &Scene, remedy: &str) -> Result<(), InputError> {
+    if scene.motion.roughness.is_at_rest() {
+        return Ok(());
+    }
+    Err(InputError::Conflict {
+        field: "motion.roughness = \"moving\"".to_owned(),
+        reason: format!(
+            "is for single contacts by `SimBuilder::solve_passage` and `stribeck solve`; {remedy}"
+        ),
+    })
 }
 
 /// The plasticity model of one body: a hardness, linear in the thickness of a softer tribofilm, and growing with

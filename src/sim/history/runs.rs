@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 use crate::error::InputError;
 use crate::sim::error::SimError;
 use crate::sim::history::observer::Observer;
+use crate::sim::history::record::StepRecord;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::step_control::StepControl;
 
@@ -85,6 +86,20 @@ impl MixedLubricationSim {
             }
         }
         Ok(RunEnd::Finished)
+    }
+
+    /// As [`step`](Self::step). A contact that does not converge from the last one is solved again from no pressure.
+    ///
+    /// # Errors
+    /// As of [`step`](Self::step).
+    pub(in crate::sim) fn step_with_restart(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
+        match self.step(time_step) {
+            Err(SimError::NotConverged { .. }) => {
+                self.state.pressure.fill(0.0);
+                self.step(time_step)
+            }
+            outcome => outcome,
+        }
     }
 
     /// Number of steps that [`run_until`](Self::run_until) takes to `end` \[s\] if none is longer than `longest`

@@ -194,13 +194,22 @@ impl MixedLubricationSim {
     /// As of [`MixedLubricationSim::step`], and laws that exceed the bound in any time.
     pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         control.validate()?;
-        strip::require_single_contact(&self.scene)?;
+        self.require_no_strip_history()?;
         match self.step_in_box(control) {
             Err(SimError::BoxTooSmall(edge)) if self.scene.grid.grows() => {
                 self.step_in_wider_box(control, edge)
             }
             outcome => outcome,
         }
+    }
+
+    /// Rejects strips, except in motion with squeeze, where bodies neither wear nor grow a tribofilm.
+    fn require_no_strip_history(&self) -> Result<(), InputError> {
+        let changes = self.laws.wear.is_some() || self.laws.growth.is_some();
+        if self.surface_motion.squeeze && !changes {
+            return Ok(());
+        }
+        strip::require_single_contact(&self.scene)
     }
 
     /// As [`step_within`](Self::step_within), without widening the box.
@@ -399,7 +408,7 @@ impl MixedLubricationSim {
 
     /// Returns the input errors of the next solve without solving.
     pub(in crate::sim) fn check_first_contact(&mut self) -> Result<(), SimError> {
-        strip::require_single_contact(&self.scene)?;
+        self.require_no_strip_history()?;
         let offsets = self.offsets()?;
         let Self { bodies, contact, laws, state, contact_start, placement, yielding, .. } = self;
         placement.place(bodies, &contact.form_gap, offsets)?;
@@ -494,7 +503,7 @@ impl MixedLubricationSim {
             DepthNumbers::of(self.bodies.each_ref().map(field), |values| self.mean_on_track(values))
         };
         let [ball, disc] = self.bodies.each_ref().map(|body| body.volumes(self.contact.grid.cell_area()));
-        let volume = ball?.plastic + disc?.plastic;
+        let volume = (ball?.plastic + disc?.plastic) / self.contact.grid.contact_length();
         Ok(StepRecord {
             step: self.step,
             time: self.time + time_step,

@@ -30,6 +30,11 @@ pub(in crate::sim) struct SqueezeMemory {
     speed: f64,
 }
 
+/// Reverses each row of `nx` values.
+pub(in crate::sim) fn mirror_rows<T>(field: &mut [T], nx: usize) {
+    field.chunks_mut(nx.max(1)).for_each(<[T]>::reverse);
+}
+
 /// The entrainment of the next contact.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::sim) struct Entrainment {
@@ -58,6 +63,14 @@ impl SqueezeMemory {
         let zeros = || [vec![0.0; nodes], vec![0.0; nodes]];
         let is_full = [vec![false; nodes], vec![false; nodes]];
         Self { masses: zeros(), films: zeros(), is_full, steps: [0.0; 2], speed: 0.0 }
+    }
+
+    /// The memory in a frame with the opposite direction of x, on rows of `nx` cells. The next contact carries no waves:
+    /// their flow has turned.
+    pub(in crate::sim) fn mirror(&mut self, nx: usize) {
+        self.masses.iter_mut().chain(&mut self.films).for_each(|field| mirror_rows(field, nx));
+        self.is_full.iter_mut().for_each(|field| mirror_rows(field, nx));
+        self.speed = 0.0;
     }
 
     /// Rejects fields that do not fit `grid`.

@@ -51,6 +51,9 @@ impl Scene {
             }
         }
         scene.schedule.locate_tables(folder);
+        if let Some(table) = scene.cycle.as_mut().and_then(|cycle| cycle.table.as_mut()) {
+            *table = folder.join(&table);
+        }
         Ok(scene)
     }
 }

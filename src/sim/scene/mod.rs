@@ -6,6 +6,7 @@
 //!
 //! [`Scene::azam_2019`] is a complete example.
 
+pub(in crate::sim) mod cycle;
 mod elastic;
 #[cfg(feature = "serde")]
 mod explain;
@@ -44,6 +45,7 @@ mod track;
 mod tribofilm;
 mod wear;
 
+pub use cycle::CycleSpec;
 pub use elastic::{Elastic, FilmElasticSpec, LayerSpec};
 #[cfg(feature = "serde")]
 pub use explain::explain;
@@ -58,7 +60,7 @@ pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};
 pub(in crate::sim) use materials::BODIES;
 pub use materials::{Material, Materials};
-pub use motion::Motion;
+pub use motion::{Motion, RoughnessState};
 pub use named_material::NamedMaterial;
 pub use oil::{KinematicPoint, OilSpec};
 pub use processes::{Flash, FlowThinning, FrictionSpec, PlasticSpec, ThermalSpec};
@@ -142,6 +144,9 @@ pub struct Scene {
     /// Conditions over time; a single contact uses those at time zero.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Schedules::is_empty"))]
     pub schedule: Schedules,
+    /// Conditions over a cycle, for [`SimBuilder::solve_cycle`](crate::sim::SimBuilder::solve_cycle) alone.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub cycle: Option<CycleSpec>,
     /// Stresses below the surface of a single contact; absent if not computed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub stress: Option<StressSpec>,
@@ -194,6 +199,7 @@ impl Scene {
             track: TrackSpec::default(),
             thermal: ThermalSpec::default(),
             schedule: Schedules::default(),
+            cycle: None,
             stress: None,
             solver: SolverSpec::default(),
         }

@@ -25,12 +25,56 @@ pub struct Motion {
     /// `u = U (1 - y/R)` along x and `v = U x/R` along y. The point must be outside the box. Absent: no spin.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub spin_radius: Option<f64>,
+    /// Motion of the roughness during a single contact.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "RoughnessState::is_at_rest"))]
+    pub roughness: RoughnessState,
+    /// Length of film over which the means of a passage are taken \[m\]; absent: the length of the box along x. It needs
+    /// [`RoughnessState::Moving`].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub passage: Option<f64>,
+}
+
+/// Motion of the roughness during a single contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::RoughnessState;
+/// let mut scene = Scene::azam_2019(16);
+/// assert_eq!(scene.motion.roughness, RoughnessState::AtRest);
+/// scene.motion.roughness = RoughnessState::Moving;
+/// assert!(stribeck::sim::solve_contact(&scene).unwrap_err().to_string().contains("solve_passage"));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum RoughnessState {
+    /// The roughness of both bodies rests in the contact, whatever their speeds: one steady contact.
+    #[default]
+    AtRest,
+    /// The roughness of each body moves at its speed: a transient contact with squeeze, see
+    /// [`SimBuilder::solve_passage`](crate::sim::SimBuilder::solve_passage).
+    Moving,
+}
+
+impl RoughnessState {
+    /// Whether the roughness rests.
+    pub fn is_at_rest(&self) -> bool {
+        *self == Self::AtRest
+    }
 }
 
 impl Motion {
     /// An entrainment speed \[m/s\] and a slide-roll ratio.
     pub const fn new(entrainment_speed: f64, slide_roll_ratio: f64) -> Self {
-        Self { entrainment_speed, slide_roll_ratio, spin_radius: None }
+        Self {
+            entrainment_speed,
+            slide_roll_ratio,
+            spin_radius: None,
+            roughness: RoughnessState::AtRest,
+            passage: None,
+        }
     }
 
     /// Sliding speed, never negative \[m/s\].
@@ -55,6 +99,9 @@ struct MotionTable {
     ball_speed: Option<f64>,
     disc_speed: Option<f64>,
     spin_radius: Option<f64>,
+    #[serde(default)]
+    roughness: RoughnessState,
+    passage: Option<f64>,
 }
 
 #[cfg(feature = "serde")]
@@ -62,11 +109,19 @@ impl TryFrom<MotionTable> for Motion {
     type Error = String;
 
     fn try_from(table: MotionTable) -> Result<Self, String> {
-        let MotionTable { entrainment_speed, slide_roll_ratio, ball_speed, disc_speed, spin_radius } = table;
+        let MotionTable { entrainment_speed, slide_roll_ratio, ball_speed, disc_speed, .. } = table;
+        let MotionTable { spin_radius, roughness, passage, .. } = table;
+        if passage.is_some() && roughness.is_at_rest() {
+            return Err(
+                "`passage` is a length of surfaces in motion; add `roughness = \"moving\"`".to_owned()
+            );
+        }
         let given = |speed: Option<f64>, ratio: Option<f64>| Self {
             entrainment_speed: speed.unwrap_or_default(),
             slide_roll_ratio: ratio.unwrap_or_default(),
             spin_radius,
+            roughness,
+            passage,
         };
         let (ball, disc) = match (ball_speed, disc_speed) {
             (None, None) => return Ok(given(entrainment_speed, slide_roll_ratio)),

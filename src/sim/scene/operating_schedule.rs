@@ -86,6 +86,11 @@ impl OperatingSchedule {
         Ok(Self { base, load, speed, slide_roll_ratio, temperature })
     }
 
+    /// The same `conditions` at all times.
+    pub(in crate::sim) fn constant(conditions: Conditions) -> Self {
+        Self { base: conditions, load: None, speed: None, slide_roll_ratio: None, temperature: None }
+    }
+
     /// The conditions at `time` \[s\].
     pub(in crate::sim) fn at(&self, time: f64) -> Conditions {
         let value =
@@ -95,7 +100,7 @@ impl OperatingSchedule {
             motion: Motion {
                 entrainment_speed: value(&self.speed, self.base.motion.entrainment_speed),
                 slide_roll_ratio: value(&self.slide_roll_ratio, self.base.motion.slide_roll_ratio),
-                spin_radius: self.base.motion.spin_radius,
+                ..self.base.motion
             },
             bulk_temperature: value(&self.temperature, self.base.bulk_temperature),
         }

@@ -20,7 +20,7 @@ use crate::sim::contact::warnings::Warning;
 use crate::sim::contact::{asperity_inlets, outer_rows, setup, strip, warnings};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
-use crate::sim::history::builder::{ReplacedParts, SimBuilder};
+use crate::sim::history::builder::{ReplacedParts, SimBuilder, require_at_rest};
 use crate::sim::history::placement::Placement;
 use crate::sim::history::track::track_rq;
 use crate::sim::history::yielding::Yielding;
@@ -104,6 +104,9 @@ impl SimBuilder {
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn check_contact(self) -> Result<Vec<Warning>, SimError> {
+        if !self.scene.motion.roughness.is_at_rest() {
+            return self.check_passage();
+        }
         Ok(match self.begin()? {
             ReadySolve::Mesh(contact) => contact.warnings,
             ReadySolve::Meshes(meshes) => meshes.into_warnings(),
@@ -113,6 +116,7 @@ impl SimBuilder {
     /// Prepares the contact and returns all input errors.
     fn begin(mut self) -> Result<ReadySolve, SimError> {
         strip::validate(&self.scene)?;
+        require_at_rest(&self.scene, "leave it out for a steady contact")?;
         if needs_meshes(&self.scene) {
             if let Some(part) = self.custom_part() {
                 return Err(SimError::Input(InputError::Conflict {

@@ -1,0 +1,185 @@
+//! The contacts of a cycle, one after the other.
+
+use crate::error::InputError;
+use crate::reynolds::ContactState;
+use crate::sim::cycle::{CyclePoint, CycleSolution, set_row};
+use crate::sim::error::SimError;
+use crate::sim::history::simulation::MixedLubricationSim;
+use crate::sim::history::squeeze_memory::mirror_rows;
+use crate::sim::scene::Motion;
+use crate::sim::scene::cycle::{CycleRow, CycleTable};
+use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
+
+/// Entrainment speed at a dead point over the largest one. The film is then governed by squeeze.
+const LEAST_ENTRAINMENT: f64 = 1e-9;
+
+/// A simulation that follows a cycle.
+pub(super) struct Drive {
+    sim: MixedLubricationSim,
+    table: CycleTable,
+    /// Direction of the flow in the frame of the scene: the simulation is mirrored where it is -1.
+    direction: f64,
+}
+
+impl Drive {
+    /// `sim` at the start of `table`, whose flow is along +x.
+    pub(super) fn new(sim: MixedLubricationSim, table: CycleTable) -> Self {
+        Self { sim, table, direction: 1.0 }
+    }
+
+    /// Solves all contacts.
+    pub(super) fn run(
+        mut self,
+        observer: &mut dyn FnMut(&CyclePoint) -> bool,
+    ) -> Result<CycleSolution, SimError> {
+        let (rows, start_up) = self.rows();
+        let mut points: Vec<CyclePoint> = Vec::with_capacity(rows.len());
+        let (mut ended_early, mut largest_step) = (None, 0.0_f64);
+        let mut half_widths = Vec::with_capacity(rows.len());
+        for (index, pair) in rows.windows(2).enumerate() {
+            let row = pair[0];
+            let time_step = pair[1].time - row.time;
+            let point = match self.contact(&row, time_step) {
+                Err(error @ SimError::NotConverged { .. }) if !points.is_empty() => {
+                    ended_early = Some(format!("at {:.6e} s: {error}", row.time));
+                    break;
+                }
+                point => point?,
+            };
+            if index < start_up {
+                continue;
+            }
+            let half_width = self.sim.contact.hertz.half_extents()[0];
+            largest_step = largest_step.max(row.entrainment().abs() * time_step / half_width);
+            half_widths.push(half_width);
+            let goes_on = observer(&point);
+            points.push(point);
+            if !goes_on {
+                ended_early = Some("stopped by the observer".to_owned());
+                break;
+            }
+        }
+        set_squeeze_ratios(&mut points, &half_widths, self.table.once || ended_early.is_some());
+        Ok(CycleSolution {
+            grid: self.sim.grid(),
+            points,
+            quasi_static: self.table.quasi_static,
+            largest_step,
+            ended_early,
+            warnings: self.sim.warnings().to_vec(),
+        })
+    }
+
+    /// The rows to solve, each up to the time of the next one, and the number of those before the cycle begins. The last
+    /// row only ends the one before it.
+    fn rows(&self) -> (Vec<CycleRow>, usize) {
+        let table = &self.table;
+        let [first, length] = table.span();
+        let Some(last) = table.rows.last().copied() else { return (Vec::new(), 0) };
+        let after = |step: f64| CycleRow { time: last.time + step, ..last };
+        if table.quasi_static {
+            let mut rows = table.rows.clone();
+            if table.once {
+                rows.push(after(length / table.rows.len() as f64));
+            }
+            return (rows, 0);
+        }
+        let step = length / table.steps as f64;
+        let at = |k: usize| {
+            let row = table.at(first + k as f64 * step);
+            row.map_or(last, |row| CycleRow { time: first + k as f64 * step, ..row })
+        };
+        let cycle: Vec<CycleRow> = (0..=table.steps).map(at).collect();
+        if table.once {
+            return (cycle.into_iter().chain([after(step)]).collect(), 0);
+        }
+        // From the largest entrainment speed to the end of the cycle before.
+        let speed = |k: &usize| cycle[*k].entrainment().abs();
+        let start = (0..table.steps).max_by(|a, b| speed(a).total_cmp(&speed(b))).unwrap_or(0);
+        let before = cycle[start..table.steps].iter().map(|row| CycleRow { time: row.time - length, ..*row });
+        (before.chain(cycle.iter().copied()).collect(), table.steps - start)
+    }
+
+    /// Solves the contact at `row`, which lasts `time_step` \[s\].
+    fn contact(&mut self, row: &CycleRow, time_step: f64) -> Result<CyclePoint, SimError> {
+        let entrainment = row.entrainment();
+        if entrainment * self.direction < 0.0 {
+            self.mirror()?;
+        }
+        let speed = entrainment.abs().max(LEAST_ENTRAINMENT * self.table.largest_entrainment());
+        let sliding = self.direction * (row.speeds[0] - row.speeds[1]);
+        let conditions = Conditions {
+            load: row.load,
+            motion: Motion {
+                entrainment_speed: speed,
+                slide_roll_ratio: sliding / speed,
+                ..self.sim.scene.motion
+            },
+            bulk_temperature: row.bulk_temperature,
+        };
+        let radius = self.sim.scene.form.radii().0;
+        set_row(&mut self.sim.scene, row);
+        if radius.to_bits() != row.radius.to_bits() {
+            self.sim.contact.set_form(&self.sim.scene)?;
+        }
+        self.sim.operating_schedule = OperatingSchedule::constant(conditions);
+        let record = self.sim.step_with_restart(time_step)?;
+        let scales = [self.sim.contact.hertz.pressure, self.sim.contact.formula_film()];
+        Ok(CyclePoint::of(row, self.table.turn, &record, scales))
+    }
+
+    /// Mirrors the simulation in x, so that a flow along -x is one along +x.
+    fn mirror(&mut self) -> Result<(), InputError> {
+        let Self { sim, direction, .. } = self;
+        let nx = sim.contact.grid.nx();
+        *direction = -*direction;
+        mirror_state(&mut sim.state, nx);
+        sim.squeeze_memory.mirror(nx);
+        if let Some(heat) = &mut sim.film_heat {
+            // Temperatures are found anew from no rise.
+            drop(heat.take_start());
+        }
+        sim.bodies.iter_mut().try_for_each(|body| body.mirror(nx))
+    }
+}
+
+/// Reverses all rows of a state.
+fn mirror_state(state: &mut ContactState, nx: usize) {
+    let ContactState { pressure, fluid_pressure, film, plastic_depth, theta, mass, in_contact, .. } = state;
+    for field in [pressure, fluid_pressure, film, plastic_depth, theta, mass] {
+        mirror_rows(field, nx);
+    }
+    mirror_rows(in_contact, nx);
+}
+
+/// Sets the size of the squeeze terms by central differences of the films; at the ends of a cycle that runs `once` by
+/// one-sided ones.
+fn set_squeeze_ratios(points: &mut [CyclePoint], half_widths: &[f64], once: bool) {
+    let count = points.len();
+    if count < 3 {
+        return;
+    }
+    let ratios: Vec<Option<f64>> = (0..count)
+        .map(|k| {
+            let [before, after] = if once {
+                [k.saturating_sub(1), (k + 1).min(count - 1)]
+            } else {
+                [(k + count - 1) % count, (k + 1) % count]
+            };
+            let (from, to, point) = (points[before], points[after], points[k]);
+            // Across the end of a cycle the steps beside the row are taken as equal.
+            let time = if to.time > from.time {
+                to.time - from.time
+            } else if k == 0 {
+                2.0 * (to.time - point.time)
+            } else {
+                2.0 * (point.time - from.time)
+            };
+            let speed = 0.5 * (point.ball_speed + point.disc_speed).abs();
+            let rate = (to.film_central - from.film_central).abs() / time;
+            let ratio = rate * half_widths.get(k)? / (speed * point.film_central);
+            (speed > 0.0 && ratio.is_finite()).then_some(ratio)
+        })
+        .collect();
+    points.iter_mut().zip(ratios).for_each(|(point, ratio)| point.squeeze_ratio = ratio);
+}

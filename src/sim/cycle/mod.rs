@@ -1,0 +1,173 @@
+//! Contacts whose load, speeds, radius and temperature change over a cycle: gear flanks, cams, reciprocating rigs.
+//!
+//! The frame moves with the contact. By default the cycle is solved in time with squeeze, through zero speed and reversed
+//! flow: where the entrainment changes its sign, the contact is mirrored in x (`mirror`), exact on a box that is
+//! symmetric. Quasi-static cycles solve each row as a steady contact.
+
+mod drive;
+mod point;
+
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::sim::contact::setup;
+use crate::sim::contact::warnings::Warning;
+use crate::sim::error::SimError;
+use crate::sim::history::builder::SimBuilder;
+use crate::sim::scene::cycle::{CycleRow, CycleTable};
+use crate::sim::scene::{Flash, GridSpec, InletSpec, RoughnessState, Scene};
+use crate::surface::{Fixed, Form};
+
+pub use point::CyclePoint;
+
+/// Relative difference of the distances of both edges along x of a box that counts as symmetric.
+const SYMMETRIC: f64 = 1e-9;
+
+/// A solved cycle.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct CycleSolution {
+    /// The grid.
+    pub grid: Grid,
+    /// Contacts in the order of time.
+    pub points: Vec<CyclePoint>,
+    /// Whether the contacts are steady ones.
+    pub quasi_static: bool,
+    /// Largest way of the entrained film in a step, in half-widths of the Hertz contact.
+    pub largest_step: f64,
+    /// Reason for an early end: a contact that did not converge.
+    pub ended_early: Option<String>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+}
+
+impl SimBuilder {
+    /// Solves the cycle of the scene ([`CycleSpec`](crate::sim::scene::CycleSpec)); `observer` is called after each contact
+    /// that counts and may return false to stop. The roughness is at rest in the contact, oil is supplied at the edges of
+    /// the box, wear is left out. A cycle that repeats begins before its first row, at its largest entrainment speed.
+    ///
+    /// # Errors
+    /// A table or a scene that does not fit, with row, field and value; flow along -x in a box that is not symmetric. A
+    /// contact that does not converge is no error: see [`CycleSolution::ended_early`].
+    ///
+    /// ```
+    /// use stribeck::sim::scene::{CycleSpec, GridSpec};
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut scene = Scene::azam_2019(24);
+    /// (scene.roughness, scene.plastic) = (Default::default(), None);
+    /// let mut cycle = CycleSpec::default();
+    /// (cycle.time, cycle.steps) = (vec![0.0, 1e-3, 2e-3], Some(16));
+    /// (cycle.ball_speed, cycle.disc_speed) = (vec![2.0, -2.0, 2.0], vec![0.0; 3]);
+    /// scene.cycle = Some(cycle);
+    /// let solution = MixedLubricationSim::builder(scene).solve_cycle(&mut |_| true)?;
+    /// assert_eq!(solution.points.len(), 16);
+    /// assert!(solution.points.iter().all(|point| point.film_central > 1e-9));
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn solve_cycle(
+        mut self,
+        observer: &mut dyn FnMut(&CyclePoint) -> bool,
+    ) -> Result<CycleSolution, SimError> {
+        let table = CycleTable::new(&self.scene)?;
+        self.scene = cycle_scene(self.scene, &table)?;
+        self.motion = Some(std::sync::Arc::new(Fixed));
+        self.squeeze = !table.quasi_static;
+        let sim = self.build()?;
+        require_rows(&sim.scene, &sim.contact.grid, &table)?;
+        drive::Drive::new(sim, table).run(observer)
+    }
+}
+
+/// `scene` at the row of the largest entrainment speed, as all rows need it.
+fn cycle_scene(mut scene: Scene, table: &CycleTable) -> Result<Scene, SimError> {
+    require_cycle(&scene, table)?;
+    let fastest = |a: &&CycleRow, b: &&CycleRow| a.entrainment().abs().total_cmp(&b.entrainment().abs());
+    if let Some(row) = table.rows.iter().max_by(fastest) {
+        set_row(&mut scene, row);
+        scene.motion.entrainment_speed = row.entrainment().abs();
+        scene.motion.slide_roll_ratio = (row.speeds[0] - row.speeds[1]) / row.entrainment();
+    }
+    if let Some(oil) = &mut scene.lubricant {
+        oil.inlet = InletSpec::BoxEdge;
+    }
+    if scene.thermal.flash == Flash::Auto {
+        scene.thermal.flash = Flash::On;
+    }
+    (scene.schedule, scene.track) = (Default::default(), Default::default());
+    (scene.wear, scene.cycle) = (None, None);
+    Ok(scene)
+}
+
+/// Sets radius, load and temperature of `row`.
+pub(in crate::sim::cycle) fn set_row(scene: &mut Scene, row: &CycleRow) {
+    match &mut scene.form {
+        Form::Sphere { radius } | Form::Cylinder { radius } => *radius = row.radius,
+        _ => {}
+    }
+    (scene.load.force, scene.load.hertz_pressure) = (Some(row.load), None);
+    scene.thermal.bulk_temperature = row.bulk_temperature;
+}
+
+/// Rejects scenes that have no cycle.
+fn require_cycle(scene: &Scene, table: &CycleTable) -> Result<(), InputError> {
+    let picks_grid = matches!(scene.grid, GridSpec::Accuracy { .. }) || scene.grid.grows();
+    let is_turned = scene.form.angle() != 0.0 || scene.motion.spin_radius.is_some();
+    let found = [
+        (!scene.is_lubricated(), "a dry contact has no film over a cycle; add [lubricant]"),
+        (picks_grid, "[grid] must have nx and x (and ny and y): one box for all rows"),
+        (
+            scene.motion.roughness == RoughnessState::Moving,
+            "the roughness of a cycle is at rest; leave motion.roughness out",
+        ),
+        (
+            scene.solver.accuracy.is_some() || scene.solver.estimate,
+            "errors of the mesh (solver.estimate, solver.accuracy) are not estimated; compare two meshes",
+        ),
+        (
+            !scene.solver.model.is_resolved() && !table.quasi_static,
+            "solver.model = \"asperity_inlets\" has no squeeze; add quasi_static = true",
+        ),
+        (scene.tribofilm.is_some(), "a tribofilm does not grow in a cycle; leave [tribofilm] out"),
+        (
+            scene.stress.is_some(),
+            "stresses below the surface ([stress]) are those of one contact; leave them out",
+        ),
+        (
+            is_turned && table.reverses(),
+            "the flow turns back, which needs a contact that is symmetric in x: no form.angle, no motion.spin_radius",
+        ),
+    ];
+    match found.into_iter().find(|(applies, _)| *applies) {
+        Some((_, reason)) => {
+            Err(InputError::Conflict { field: "cycle".to_owned(), reason: reason.to_owned() })
+        }
+        None => Ok(()),
+    }
+}
+
+/// Rejects rows whose contact does not fit into the box.
+fn require_rows(scene: &Scene, grid: &Grid, table: &CycleTable) -> Result<(), InputError> {
+    let mut at = scene.clone();
+    for (index, row) in table.rows.iter().enumerate() {
+        set_row(&mut at, row);
+        let fits = at.constant_hertz().and_then(|hertz| {
+            setup::validate_box(grid, &hertz, at.form.is_line())?;
+            setup::validate_room(&at, grid, &hertz)
+        });
+        fits.map_err(|error| InputError::Conflict {
+            field: format!("cycle, row {index} with load = {:?}, radius = {:?}", row.load, row.radius),
+            reason: error.to_string(),
+        })?;
+    }
+    let [low, high] = [grid.x(0), grid.x(grid.nx() - 1)];
+    if table.reverses() && (low + high).abs() > SYMMETRIC * grid.size_x() {
+        return Err(InputError::Conflict {
+            field: "grid.x".to_owned(),
+            reason: format!(
+                "the flow of the cycle turns back, which needs a box that is symmetric: x = [-{:.4e}, {:.4e}]",
+                -low + 0.5 * grid.dx(),
+                -low + 0.5 * grid.dx()
+            ),
+        });
+    }
+    Ok(())
+}

@@ -1,0 +1,417 @@
+//! Conditions over a cycle: the table `[cycle]`, its file, and its checks.
+
+use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+
+use crate::error::{InputError, escape};
+use crate::sim::scene::Scene;
+use crate::surface::Form;
+use crate::text_file;
+use crate::units::Dimension;
+
+/// Relative difference of the last row from the first one of a cycle that repeats.
+const CLOSED: f64 = 1e-6;
+/// Fewest steps of a cycle.
+const FEWEST_STEPS: usize = 8;
+
+/// Conditions of a contact over a cycle. Each list has one value per row; quantities without a list are those of the
+/// scene. Between rows all quantities are linear in time.
+///
+/// # Examples
+///
+/// A ball that rubs a reciprocating disc:
+///
+/// ```
+/// use stribeck::sim::scene::CycleSpec;
+/// let turn = std::f64::consts::TAU;
+/// let mut cycle = CycleSpec::default();
+/// cycle.time = (0..=36).map(|k| f64::from(k) / 360.0).collect(); // 10 Hz
+/// cycle.ball_speed = vec![0.0; 37];
+/// cycle.disc_speed = cycle.time.iter().map(|time| 0.3 * (turn * 10.0 * time).cos()).collect();
+/// assert!(!cycle.quasi_static && !cycle.once);
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+#[non_exhaustive]
+pub struct CycleSpec {
+    /// A file of comma-separated values in place of the lists: a line of names with units, `angle (deg)`, then the rows.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub table: Option<PathBuf>,
+    /// Times of the rows \[s\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub time: Vec<f64>,
+    /// Angles of the rows in place of times \[rad\]; 2 pi take the period.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub angle: Vec<f64>,
+    /// Time of a cycle, or of a turn \[s\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub period: Option<f64>,
+    /// Load \[N\], of a line contact per length \[N/m\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub load: Vec<f64>,
+    /// Speed of the ball along x relative to the contact \[m/s\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub ball_speed: Vec<f64>,
+    /// Speed of the disc along x relative to the contact \[m/s\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub disc_speed: Vec<f64>,
+    /// Reduced radius of a sphere or cylinder \[m\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub radius: Vec<f64>,
+    /// Bulk temperature \[K\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub bulk_temperature: Vec<f64>,
+    /// Steps of equal time in a cycle; 400 if absent.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub steps: Option<usize>,
+    /// Solves each row as a steady contact, without squeeze.
+    pub quasi_static: bool,
+    /// The table runs once from a steady first contact, as a tooth in mesh; otherwise it repeats.
+    pub once: bool,
+}
+
+/// Conditions at one time of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::sim) struct CycleRow {
+    /// Time \[s\].
+    pub(in crate::sim) time: f64,
+    /// Load \[N\].
+    pub(in crate::sim) load: f64,
+    /// Speeds of ball and disc relative to the contact \[m/s\].
+    pub(in crate::sim) speeds: [f64; 2],
+    /// Reduced radius \[m\]; that of an ellipsoid along x.
+    pub(in crate::sim) radius: f64,
+    /// Bulk temperature \[K\].
+    pub(in crate::sim) bulk_temperature: f64,
+}
+
+impl CycleRow {
+    /// Entrainment speed, negative for a flow along -x \[m/s\].
+    pub(in crate::sim) fn entrainment(&self) -> f64 {
+        0.5 * self.speeds[0] + 0.5 * self.speeds[1]
+    }
+
+    /// The row a share `s` of the way to the row `to`.
+    fn towards(&self, to: &Self, s: f64) -> Self {
+        let mix = |a: f64, b: f64| a + s * (b - a);
+        Self {
+            time: mix(self.time, to.time),
+            load: mix(self.load, to.load),
+            speeds: [0, 1].map(|body| mix(self.speeds[body], to.speeds[body])),
+            radius: mix(self.radius, to.radius),
+            bulk_temperature: mix(self.bulk_temperature, to.bulk_temperature),
+        }
+    }
+}
+
+/// A checked cycle.
+#[derive(Debug, Clone)]
+pub(in crate::sim) struct CycleTable {
+    /// At least two rows, ascending in time.
+    pub(in crate::sim) rows: Vec<CycleRow>,
+    /// Time of 2 pi \[s\], if the table has angles.
+    pub(in crate::sim) turn: Option<f64>,
+    /// Steps of equal time.
+    pub(in crate::sim) steps: usize,
+    /// Whether each row is a steady contact.
+    pub(in crate::sim) quasi_static: bool,
+    /// Whether the cycle runs once.
+    pub(in crate::sim) once: bool,
+}
+
+impl CycleTable {
+    /// Checks the table of `scene`.
+    ///
+    /// # Errors
+    /// A file that cannot be read; lists of different lengths; values out of range, times that go back, a cycle that
+    /// repeats and does not end as it begins, with row, field and value.
+    pub(in crate::sim) fn new(scene: &Scene) -> Result<Self, InputError> {
+        let Some(spec) = &scene.cycle else {
+            let reason = "is missing: a cycle needs times or angles, and speeds or loads".to_owned();
+            return Err(InputError::Conflict { field: "cycle".to_owned(), reason });
+        };
+        let spec = match &spec.table {
+            None => spec.clone(),
+            Some(path) => spec.read(path, scene.form.is_line())?,
+        };
+        let times = spec.times()?;
+        let force = scene.load.force.unwrap_or(scene.constant_hertz()?.force);
+        let own = [
+            ("load", &spec.load, force),
+            ("ball_speed", &spec.ball_speed, scene.motion.surface_speeds()[0]),
+            ("disc_speed", &spec.disc_speed, scene.motion.surface_speeds()[1]),
+            ("radius", &spec.radius, scene.form.radii().0),
+            ("bulk_temperature", &spec.bulk_temperature, scene.thermal.bulk_temperature),
+        ];
+        for (key, values, _) in &own {
+            check_column(key, values, times.len())?;
+        }
+        if !spec.radius.is_empty() && matches!(scene.form, Form::Ellipsoid { .. }) {
+            let reason =
+                "an ellipsoid has two; the radius of a cycle is that of a sphere or cylinder".to_owned();
+            return Err(InputError::Conflict { field: "cycle.radius".to_owned(), reason });
+        }
+        let at = |row: usize| own.map(|(_, values, constant)| values.get(row).copied().unwrap_or(constant));
+        let rows = times.iter().enumerate().map(|(row, time)| {
+            let [load, ball, disc, radius, bulk_temperature] = at(row);
+            CycleRow { time: *time, load, speeds: [ball, disc], radius, bulk_temperature }
+        });
+        let steps = spec.steps.unwrap_or(400);
+        InputError::require(steps >= FEWEST_STEPS, "cycle.steps", steps as f64, "at least 8")?;
+        let turn = spec.period.filter(|_| !spec.angle.is_empty());
+        let (quasi_static, once) = (spec.quasi_static, spec.once);
+        let mut table = Self { rows: rows.collect(), turn, steps, quasi_static, once };
+        table.require_motion()?;
+        table.close(spec.period)?;
+        Ok(table)
+    }
+
+    /// Rejects a table without entrainment, and steady contacts at rest.
+    fn require_motion(&self) -> Result<(), InputError> {
+        let conflict =
+            |field: String, reason: &str| Err(InputError::Conflict { field, reason: reason.to_owned() });
+        let largest = self.largest_entrainment();
+        if largest <= 0.0 {
+            return conflict(
+                "cycle.ball_speed + cycle.disc_speed".to_owned(),
+                "is 0 in all rows: no oil is entrained",
+            );
+        }
+        let rests = |row: &CycleRow| row.entrainment() == 0.0;
+        let pause = self.rows.windows(2).position(|pair| pair.iter().all(rests));
+        match pause.filter(|_| self.quasi_static) {
+            Some(row) => conflict(
+                format!("cycle.ball_speed[{row}] + cycle.disc_speed[{row}] = 0"),
+                "is 0 in the next row too: a quasi-static contact at rest has no film; leave quasi_static out, the film then \
+                 drains by squeeze",
+            ),
+            None => Ok(()),
+        }
+    }
+
+    /// Appends the first row at the end of the `period` of a cycle that repeats, or checks that the last row is the first
+    /// one.
+    fn close(&mut self, period: Option<f64>) -> Result<(), InputError> {
+        let [Some(first), Some(last)] = [self.rows.first().copied(), self.rows.last().copied()] else {
+            return Ok(());
+        };
+        if self.once {
+            return Ok(());
+        }
+        let end = first.time + period.unwrap_or(last.time - first.time);
+        let field = "cycle.period";
+        let requirement = "at least the time between the first and the last row";
+        let rounding = CLOSED * (last.time - first.time);
+        InputError::require(end >= last.time - rounding, field, end - first.time, requirement)?;
+        if end > last.time + rounding {
+            self.rows.push(CycleRow { time: end, ..first });
+            return Ok(());
+        }
+        let scale = self.rows.iter().flat_map(|row| row.speeds).fold(0.0_f64, |most, v| most.max(v.abs()));
+        let row = self.rows.len() - 1;
+        for (key, a, b, scale) in [
+            ("load", first.load, last.load, first.load),
+            ("ball_speed", first.speeds[0], last.speeds[0], scale),
+            ("disc_speed", first.speeds[1], last.speeds[1], scale),
+            ("radius", first.radius, last.radius, first.radius),
+            ("bulk_temperature", first.bulk_temperature, last.bulk_temperature, first.bulk_temperature),
+        ] {
+            let requirement = "the value of the first row, the cycle repeats; once = true runs it once";
+            let closed = (a - b).abs() <= CLOSED * scale;
+            InputError::require(closed, &format!("cycle.{key}[{row}]"), b, requirement)?;
+        }
+        Ok(())
+    }
+
+    /// Largest entrainment speed of a row \[m/s\].
+    pub(in crate::sim) fn largest_entrainment(&self) -> f64 {
+        self.rows.iter().map(|row| row.entrainment().abs()).fold(0.0, f64::max)
+    }
+
+    /// Whether oil flows along -x at any time.
+    pub(in crate::sim) fn reverses(&self) -> bool {
+        self.rows.iter().any(|row| row.entrainment() < 0.0)
+    }
+
+    /// First time and length \[s\].
+    pub(in crate::sim) fn span(&self) -> [f64; 2] {
+        let [first, last] = [self.rows.first(), self.rows.last()].map(|row| row.map_or(0.0, |row| row.time));
+        [first, last - first]
+    }
+
+    /// The conditions at `time` \[s\], linear between rows.
+    pub(in crate::sim) fn at(&self, time: f64) -> Option<CycleRow> {
+        let next = self.rows.partition_point(|row| row.time <= time).clamp(1, self.rows.len().max(2) - 1);
+        let (from, to) = (self.rows.get(next - 1)?, self.rows.get(next)?);
+        Some(from.towards(to, ((time - from.time) / (to.time - from.time)).clamp(0.0, 1.0)))
+    }
+}
+
+/// Rejects a column of another length than the times, and values out of range.
+fn check_column(key: &str, values: &[f64], rows: usize) -> Result<(), InputError> {
+    let field = format!("cycle.{key}");
+    if !values.is_empty() {
+        InputError::require_len(&field, values, rows)?;
+    }
+    let is_speed = key.ends_with("speed");
+    for (row, value) in values.iter().enumerate() {
+        let fits = value.is_finite() && (is_speed || *value > 0.0);
+        let requirement = if is_speed { "finite" } else { "finite and > 0" };
+        InputError::require(fits, &format!("{field}[{row}]"), *value, requirement)?;
+    }
+    Ok(())
+}
+
+impl CycleSpec {
+    /// Times of the rows \[s\], by angles where these are given.
+    fn times(&self) -> Result<Vec<f64>, InputError> {
+        let conflict = |field: &str, reason: &str| {
+            Err(InputError::Conflict { field: field.to_owned(), reason: reason.to_owned() })
+        };
+        if let Some(period) = self.period {
+            InputError::require_positive("cycle.period", period)?;
+        }
+        let (key, times) = match (self.time.as_slice(), self.angle.as_slice(), self.period) {
+            ([], [], _) => return conflict("cycle.time", "is missing; give times or angles of the rows"),
+            ([], angles, Some(period)) => {
+                ("angle", angles.iter().map(|angle| angle / TAU * period).collect())
+            }
+            ([], _, None) => {
+                return conflict("cycle.period", "is missing: the time of a turn, for the angles");
+            }
+            (times, [], _) => ("time", times.to_vec()),
+            _ => return conflict("cycle.time", "give times or angles, not both"),
+        };
+        let given: &[f64] = if key == "time" { &self.time } else { &self.angle };
+        InputError::require(
+            given.len() >= 2,
+            &format!("cycle.{key}"),
+            given.len() as f64,
+            "a list of at least 2",
+        )?;
+        InputError::require_finite(&format!("cycle.{key}"), given)?;
+        for (row, pair) in given.windows(2).enumerate() {
+            let requirement = "above the row before, a cycle does not go back";
+            InputError::require(
+                pair[1] > pair[0],
+                &format!("cycle.{key}[{}]", row + 1),
+                pair[1],
+                requirement,
+            )?;
+        }
+        Ok(times)
+    }
+
+    /// The spec with the columns of the file at `path`.
+    fn read(&self, path: &Path, is_line: bool) -> Result<Self, InputError> {
+        let refused = |reason: String| InputError::Conflict {
+            field: "cycle.table".to_owned(),
+            reason: format!("{}: {reason}", path.display()),
+        };
+        let given = [&self.time, &self.angle, &self.load, &self.ball_speed, &self.disc_speed, &self.radius];
+        if given.iter().any(|column| !column.is_empty()) || !self.bulk_temperature.is_empty() {
+            return Err(refused("the table replaces the lists; give one of the two".to_owned()));
+        }
+        let text = text_file::read(path).map_err(|error| refused(error.to_string()))?;
+        let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+        let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim().starts_with('#'));
+        let Some((_, names)) = lines.next() else { return Err(refused("is empty".to_owned())) };
+        let headings = names.split(',').map(|name| Heading::of(name, is_line).map_err(&refused));
+        let headings = headings.collect::<Result<Vec<_>, _>>()?;
+        let mut spec = Self { table: None, ..self.clone() };
+        for (number, line) in lines {
+            let cells: Vec<&str> = line.split(',').map(str::trim).collect();
+            let line = number + 1;
+            if cells.len() != headings.len() {
+                let (found, expected) = (cells.len(), headings.len());
+                return Err(refused(format!(
+                    "line {line} has {found} values, the line of names has {expected}"
+                )));
+            }
+            for (heading, cell) in headings.iter().zip(cells) {
+                let value =
+                    heading.value(cell).map_err(|reason| refused(format!("line {line}, {reason}")))?;
+                spec.column(heading.name).push(value);
+            }
+        }
+        Ok(spec)
+    }
+
+    /// The list of the column `name`.
+    fn column(&mut self, name: Column) -> &mut Vec<f64> {
+        match name {
+            Column::Time => &mut self.time,
+            Column::Angle => &mut self.angle,
+            Column::Load => &mut self.load,
+            Column::BallSpeed => &mut self.ball_speed,
+            Column::DiscSpeed => &mut self.disc_speed,
+            Column::Radius => &mut self.radius,
+            Column::BulkTemperature => &mut self.bulk_temperature,
+        }
+    }
+}
+
+/// A column of a table.
+#[derive(Debug, Clone, Copy)]
+enum Column {
+    Time,
+    Angle,
+    Load,
+    BallSpeed,
+    DiscSpeed,
+    Radius,
+    BulkTemperature,
+}
+
+/// Names of the columns.
+const COLUMNS: [(&str, Column, Dimension); 7] = [
+    ("time", Column::Time, Dimension::Time),
+    ("angle", Column::Angle, Dimension::Angle),
+    ("load", Column::Load, Dimension::Force),
+    ("ball_speed", Column::BallSpeed, Dimension::Speed),
+    ("disc_speed", Column::DiscSpeed, Dimension::Speed),
+    ("radius", Column::Radius, Dimension::Length),
+    ("bulk_temperature", Column::BulkTemperature, Dimension::Temperature),
+];
+
+/// Name and unit of a column.
+struct Heading<'a> {
+    key: &'static str,
+    name: Column,
+    dimension: Dimension,
+    /// Empty for SI units.
+    unit: &'a str,
+}
+
+impl<'a> Heading<'a> {
+    /// That of the cell `text`, `angle (deg)` or `angle`.
+    fn of(text: &'a str, is_line: bool) -> Result<Self, String> {
+        let text = text.trim().trim_matches('"');
+        let (name, unit) =
+            text.split_once('(').map_or((text, ""), |(name, unit)| (name, unit.trim_end_matches(')')));
+        let known = COLUMNS.iter().find(|(key, ..)| *key == name.trim());
+        let Some((key, name, dimension)) = known else {
+            let names: Vec<_> = COLUMNS.iter().map(|(key, ..)| *key).collect();
+            return Err(format!("unknown column `{}`, the columns are {}", escape(text), names.join(", ")));
+        };
+        let dimension =
+            if is_line && *dimension == Dimension::Force { Dimension::ForcePerLength } else { *dimension };
+        Ok(Self { key, name: *name, dimension, unit: unit.trim() })
+    }
+
+    /// The value of `cell` in SI units.
+    fn value(&self, cell: &str) -> Result<f64, String> {
+        let key = self.key;
+        if cell.is_empty() {
+            return Err(format!("column {key} is empty"));
+        }
+        if self.unit.is_empty() {
+            return cell.parse().map_err(|_| format!("column {key}: `{}` is not a number", escape(cell)));
+        }
+        self.dimension.parse(key, &format!("{cell} {}", self.unit)).map_err(|error| error.to_string())
+    }
+}
