@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::commands::{benchmark, check, completion, curve, explain, init, run, solve, surface, sweep};
+use crate::commands::{benchmark, check, completion, curve, cycle, explain, init, run, solve, surface, sweep};
 use crate::output::Outcome;
 
 /// Rough lubricated contacts that change as they rub.
@@ -39,6 +39,8 @@ enum Command {
     Run(run::Options),
     /// Compute a Stribeck curve: friction, load on solids and film over a range of speeds
     Curve(curve::Options),
+    /// Solve a contact over a cycle of load, speeds and radius: gear, cam, reciprocating rig
+    Cycle(cycle::Options),
     /// Solve a scene under all combinations of some of its values
     Sweep(sweep::Options),
     /// Compare solvers over lists of cases
@@ -67,7 +69,7 @@ stribeck: rough lubricated contacts from scene files
   stribeck run scene.toml --duration 1h              wear, running-in and tribofilm over time
   stribeck explain lubricant.grade                   meaning, unit, default and range of a key
 
-Others: sweep, benchmark, surface, completion. `stribeck COMMAND --help` lists the options of a command.";
+Others: cycle, sweep, benchmark, surface, completion. `stribeck COMMAND --help` lists the options of a command.";
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
@@ -92,6 +94,7 @@ fn main() -> ExitCode {
         Command::Solve(options) => solve::run(&options),
         Command::Run(options) => run::run(&options),
         Command::Curve(options) => curve::run(&options),
+        Command::Cycle(options) => cycle::run(&options),
         Command::Sweep(options) => sweep::run(&options),
         Command::Benchmark(options) => benchmark::run(&options),
         Command::Surface(options) => surface::run(&options),

@@ -184,6 +184,7 @@ fn leave_contact(scene: &mut Scene) -> Result<(), InputError> {
     let start = scene.conditions(0.0)?;
     (scene.load.force, scene.load.hertz_pressure) = (Some(start.load), None);
     (scene.motion, scene.thermal.bulk_temperature) = (start.motion, start.bulk_temperature);
+    (scene.motion.roughness, scene.motion.passage) = (Default::default(), None);
     (scene.schedule, scene.track) = (Default::default(), TrackSpec::default());
     Ok(())
 }

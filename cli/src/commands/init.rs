@@ -2,6 +2,7 @@
 
 mod answers;
 mod disc;
+mod machine;
 mod oil;
 
 use std::error::Error;
@@ -53,7 +54,7 @@ const TOUCHING: &str = "contact.load_ratio";
 /// Pressure that steel carries before it yields for good \[Pa\].
 const HARDNESS: &str = "6 GPa";
 
-/// A steel ball on a steel disc in oil. Numbers are in SI units or have a unit: "9.525 mm". Without options
+/// A steel ball on a steel disc in oil, or a machine (--gear, --cam, --reciprocating). Numbers are in SI units or have a unit: "9.525 mm". Without options
 /// and on a terminal each is asked for.
 #[derive(clap::Args)]
 pub(crate) struct Options {
@@ -111,6 +112,8 @@ pub(crate) struct Options {
         value_parser = |text: &str| output::count::<u32>("--cells", text, 16..=MOST_CELLS)
     )]
     cells: Option<u32>,
+    #[command(flatten)]
+    machine: machine::Options,
     /// Write over a file that is there
     #[arg(long)]
     force: bool,
@@ -124,6 +127,9 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     files::require_folder(&options.file)?;
     if !options.force && options.file.exists() {
         return Err(format!("{}: the file exists; --force writes over it", options.file.display()).into());
+    }
+    if let Some(outcome) = machine::run(options)? {
+        return Ok(outcome);
     }
     let mut answers = answers::answers(options, ask, None)?;
     let (text, scene) = loop {

@@ -5,6 +5,7 @@ pub(crate) mod check;
 pub(crate) mod completion;
 mod contact_pictures;
 pub(crate) mod curve;
+pub(crate) mod cycle;
 pub(crate) mod explain;
 pub(crate) mod init;
 pub(crate) mod run;

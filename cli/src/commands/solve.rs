@@ -2,6 +2,7 @@
 
 mod bearing;
 mod flat;
+mod passage;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -25,6 +26,12 @@ pub(crate) struct Options {
     /// Write the fields as a NumPy archive
     #[arg(long, value_name = "OUT.npz")]
     fields: Option<PathBuf>,
+    /// Write the contacts of a passage (motion.roughness = "moving") as comma-separated values
+    #[arg(long, value_name = "OUT.csv")]
+    csv: Option<PathBuf>,
+    /// Write film and pressure of so many contacts of a passage as NumPy archives
+    #[arg(long, value_name = "COUNT", allow_hyphen_values = true, value_parser = |text: &str| output::count::<usize>("--frames", text, 1..=10000))]
+    frames: Option<usize>,
     #[command(flatten)]
     output: Output,
 }
@@ -45,6 +52,12 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         return flat::run(options, &contact);
     }
     let scene = output::load(&options.scene)?;
+    if !scene.motion.roughness.is_at_rest() {
+        return passage::run(options, scene, start);
+    }
+    if options.csv.is_some() || options.frames.is_some() {
+        return Err("--csv and --frames are of a passage; add roughness = \"moving\" to [motion]".into());
+    }
     claim(options, &scene)?;
     let (held, known) = (Held::default(), scene.warnings());
     // At the first iteration, before what may take long.

@@ -213,7 +213,7 @@ impl Scene {
     }
 
     /// Whether both bodies have no roughness.
-    pub(crate) fn is_smooth(&self) -> bool {
+    pub fn is_smooth(&self) -> bool {
         self.roughness.ball.is_smooth() && self.roughness.disc.is_smooth()
     }
 }

@@ -100,6 +100,9 @@ pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part
     ] {
         parts.push(Part { what, modelled: !roughness.is_smooth(), why: why_rough(key, roughness) });
     }
+    if scene.is_lubricated() && !scene.is_smooth() {
+        parts.push(roughness_in_motion(scene)?);
+    }
     parts.push(sliding(scene)?);
     parts.extend(changes(scene, sim));
     Ok(parts)
@@ -112,6 +115,23 @@ fn why_rough(key: &str, roughness: &Roughness) -> String {
         Roughness::File(file) => format!("measured: {}", file.path.display()),
         _ => format!("[{key}] is given"),
     }
+}
+
+/// Whether the roughness moves with its body, and the error where it does not.
+fn roughness_in_motion(scene: &Scene) -> Result<Part, InputError> {
+    let speeds = scene.conditions(0.0)?.motion.surface_speeds();
+    let bodies = [&scene.roughness.ball, &scene.roughness.disc];
+    let rests = bodies.iter().zip(speeds).all(|(roughness, speed)| roughness.is_smooth() || speed == 0.0);
+    let (modelled, why) = match (scene.motion.roughness.is_at_rest(), rests) {
+        (false, _) => (true, "motion.roughness is moving: surfaces pass at their speeds, with squeeze"),
+        (true, true) => (false, "the rough body is at rest: a steady contact is exact"),
+        (true, false) => (
+            false,
+            "motion.roughness is at_rest, a model: where surfaces with roughness move, the mean film is larger and the least film \
+             smaller than in a steady contact (docs/cycles.md)",
+        ),
+    };
+    Ok(Part { what: "moving roughness", modelled, why: why.to_owned() })
 }
 
 fn sliding(scene: &Scene) -> Result<Part, InputError> {

@@ -1,0 +1,238 @@
+//! `stribeck cycle`: a contact over a cycle of load, speeds and radius.
+
+use std::error::Error;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, SimError};
+
+use crate::output::{self, Held, Outcome, Output};
+use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, VERMILION, XScale};
+use crate::{files, interrupt};
+
+/// Most lines of the printed table.
+const LINES: usize = 25;
+/// Squeeze term from which on a quasi-static cycle is warned of.
+const LARGE_SQUEEZE: f64 = 0.1;
+
+/// The table [cycle] of the scene has the conditions over time or angle. Each contact is a line of SCENE_cycle.csv.
+#[derive(clap::Args)]
+pub(crate) struct Options {
+    /// Scene file
+    scene: PathBuf,
+    #[command(flatten)]
+    output: Output,
+}
+
+pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
+    let start = Instant::now();
+    let scene = output::load(&options.scene)?;
+    let name = format!("{}_cycle", output::stem(&options.scene));
+    let is_line = scene.form.is_line();
+    let mut targets = vec![options.output.out.join(format!("{name}.csv"))];
+    if options.output.plot {
+        targets.extend(picture::files(&options.output.out, &name));
+    }
+    files::make_folder(&options.output.out)?;
+    files::claim(&targets, options.output.force, output::OTHER_FOLDER)?;
+    let (held, bar) = (Held::default(), ProgressBar::new_spinner());
+    bar.set_style(ProgressStyle::with_template("{spinner} {pos} contacts, {elapsed}")?);
+    interrupt::listen("the cycle ends after this contact and keeps those before it")?;
+    let (due, above) = (held.clone(), bar.clone());
+    let builder = MixedLubricationSim::builder(scene).interrupt(move || {
+        due.print(&above);
+        false
+    });
+    let solved = builder.solve_cycle(&mut |_| {
+        bar.inc(1);
+        !interrupt::is_requested()
+    });
+    bar.finish_and_clear();
+    let solution = solved.map_err(|error: SimError| output::in_scene(&options.scene, &error))?;
+    let lines: Vec<String> = solution.points.iter().map(CyclePoint::csv).collect();
+    files::write(&targets[0], format!("{}\n{}\n", CyclePoint::COLUMNS, lines.join("\n")).as_bytes())?;
+    if options.output.plot {
+        picture::write(&chart(&output::stem(&options.scene), &solution), &options.output.out, &name)?;
+    }
+    output::warn(&solution.warnings);
+    complain_of_squeeze(&solution);
+    let seconds = start.elapsed().as_secs_f64();
+    if options.output.json {
+        output::print(&json!({
+            "points": solution.points,
+            "quasi_static": solution.quasi_static,
+            "largest_step": solution.largest_step,
+            "largest_squeeze_ratio": largest_squeeze(&solution).map(|point| point.squeeze_ratio),
+            "warnings": solution.warnings,
+            "ended_early": solution.ended_early,
+            "seconds": seconds,
+            "version": env!("CARGO_PKG_VERSION"),
+        }))?;
+    } else {
+        output::print(&format!("{}\ntime       {seconds:.2} s", report(&solution, is_line)))?;
+    }
+    output::report_files(&targets, options.output.json)?;
+    if let Some(reason) = &solution.ended_early {
+        output::complain(
+            "error",
+            &format!("the cycle ended after {} contacts: {reason}", solution.points.len()),
+        );
+        return Ok(Outcome::NotConverged);
+    }
+    Ok(Outcome::Converged)
+}
+
+/// The contact with the largest squeeze term.
+fn largest_squeeze(solution: &CycleSolution) -> Option<&CyclePoint> {
+    let known = solution.points.iter().filter(|point| point.squeeze_ratio.is_some());
+    known.max_by(|a, b| a.squeeze_ratio.unwrap_or(0.0).total_cmp(&b.squeeze_ratio.unwrap_or(0.0)))
+}
+
+/// Warns of a quasi-static cycle whose films change within the passage of a half-width.
+fn complain_of_squeeze(solution: &CycleSolution) {
+    if !solution.quasi_static {
+        return;
+    }
+    let large =
+        solution.points.iter().filter(|point| point.squeeze_ratio.is_none_or(|ratio| ratio > LARGE_SQUEEZE));
+    let count = large.count();
+    if let Some(point) = largest_squeeze(solution).filter(|_| count > 0) {
+        let text = format!(
+            "cycle.quasi_static: at {count} of {} rows the squeeze term is above {LARGE_SQUEEZE} of the entrainment, up to {:.2} at {}; \
+             without quasi_static the cycle is solved in time",
+            solution.points.len(),
+            point.squeeze_ratio.unwrap_or(0.0),
+            place(point)
+        );
+        output::complain("warning", &text);
+    }
+}
+
+/// Angle or time of a contact in words.
+fn place(point: &CyclePoint) -> String {
+    match point.angle {
+        Some(angle) => format!("{:.2} deg", angle.to_degrees()),
+        None => format!("{:.4e} s", point.time),
+    }
+}
+
+/// The cycle in lines: its extremes, and a table of contacts.
+fn report(solution: &CycleSolution, is_line: bool) -> String {
+    let points = &solution.points;
+    let step = if solution.quasi_static {
+        "steady contacts".to_owned()
+    } else {
+        format!("in time, at most {:.2} half-widths of entrained film a step", solution.largest_step)
+    };
+    let mut lines = vec![format!("cycle      {} contacts, {step}", points.len())];
+    let extreme = |value: fn(&CyclePoint) -> f64, sign: f64| {
+        points.iter().max_by(|a, b| (sign * value(a)).total_cmp(&(sign * value(b))))
+    };
+    let per = if is_line { "W/m" } else { "W" };
+    if let Some(point) = extreme(|p| p.film_minimum, -1.0) {
+        lines.push(format!("least film {:.2} nm at {}", 1e9 * point.film_minimum, place(point)));
+    }
+    if let Some(point) = extreme(|p| p.pressure_max, 1.0) {
+        lines.push(format!("pressure   {:.4} GPa at {}", 1e-9 * point.pressure_max, place(point)));
+    }
+    if let Some(point) = extreme(|p| p.contact_load_ratio, 1.0).filter(|p| p.contact_load_ratio > 0.0) {
+        lines.push(format!(
+            "on solids  up to {:.4} of the load, at {}",
+            point.contact_load_ratio,
+            place(point)
+        ));
+    }
+    let mean = points.iter().map(|point| point.friction_power).sum::<f64>() / points.len().max(1) as f64;
+    if let Some(point) = extreme(|p| p.friction_power, 1.0) {
+        let power = point.friction_power;
+        lines.push(format!(
+            "power      {power:.4e} {per} at {}, {mean:.4e} {per} in the mean of the contacts",
+            place(point)
+        ));
+    }
+    if let Some(point) = extreme(|p| p.flash_rise.unwrap_or(0.0), 1.0)
+        && let Some(rise) = point.flash_rise
+    {
+        lines.push(format!("flash      {rise:.1} K at {}", place(point)));
+    }
+    if let Some(point) = largest_squeeze(solution) {
+        let ratio = point.squeeze_ratio.unwrap_or(0.0);
+        lines.push(format!("squeeze    {ratio:.3} of the entrainment at {}", place(point)));
+    }
+    lines.push(format!(
+        "\n{:>12} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}",
+        if points.iter().any(|point| point.angle.is_some()) { "angle, deg" } else { "time, s" },
+        "u, m/s",
+        "load",
+        "h, nm",
+        "h min, nm",
+        "p, GPa",
+        "on solids",
+        "friction",
+        "flash,K"
+    ));
+    let every = points.len().div_ceil(LINES).max(1);
+    lines.extend(points.iter().step_by(every).map(row));
+    lines.join("\n")
+}
+
+/// A contact in a line.
+fn row(point: &CyclePoint) -> String {
+    format!(
+        "{:>12} {:>9.3} {:>10.3e} {:>9.1} {:>9.1} {:>9.3} {:>9.4} {:>9.4} {:>7.1}",
+        point
+            .angle
+            .map_or_else(|| format!("{:.4e}", point.time), |angle| format!("{:.2}", angle.to_degrees())),
+        0.5 * (point.ball_speed + point.disc_speed),
+        point.load,
+        1e9 * point.film_central,
+        1e9 * point.film_minimum,
+        1e-9 * point.pressure_max,
+        point.contact_load_ratio,
+        point.friction_coefficient,
+        point.flash_rise.unwrap_or(0.0)
+    )
+}
+
+/// Films, pressure, friction, power and flash temperature over angle or time.
+fn chart(name: &str, solution: &CycleSolution) -> Chart {
+    let points = &solution.points;
+    let has_angles = points.iter().any(|point| point.angle.is_some());
+    let x = |point: &CyclePoint| point.angle.map_or(1e3 * point.time, f64::to_degrees);
+    let line = |name, colour, value: &dyn Fn(&CyclePoint) -> f64| {
+        let points = points.iter().map(|point| (x(point), value(point))).collect();
+        Line { name, colour, points, bands: Vec::new() }
+    };
+    let panel = |y_label: &str, lines| Panel { y_label: y_label.to_owned(), lines, highest: None };
+    let mut panels = vec![
+        panel(
+            "film (nm)",
+            vec![
+                line("central", BLUE, &|p| 1e9 * p.film_central),
+                line("least", VERMILION, &|p| 1e9 * p.film_minimum),
+                line("formula", GREEN, &|p| 1e9 * p.formula_film),
+            ],
+        ),
+        panel(
+            "pressure (GPa)",
+            vec![
+                line("largest", BLUE, &|p| 1e-9 * p.pressure_max),
+                line("Hertz", GREEN, &|p| 1e-9 * p.hertz_pressure),
+            ],
+        ),
+        panel("on solids", vec![line("", BLUE, &|p| p.contact_load_ratio)]),
+        panel("friction", vec![line("", BLUE, &|p| p.friction_coefficient)]),
+        panel("power (W)", vec![line("", BLUE, &|p| p.friction_power)]),
+    ];
+    if points.iter().any(|point| point.flash_rise.is_some()) {
+        panels.push(panel("flash (K)", vec![line("", BLUE, &|p| p.flash_rise.unwrap_or(f64::NAN))]));
+    }
+    Chart {
+        title: format!("Cycle of {name}"),
+        x_label: if has_angles { "angle (deg)" } else { "time (ms)" },
+        x_scale: XScale::Linear,
+        panels,
+    }
+}

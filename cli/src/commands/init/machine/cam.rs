@@ -1,0 +1,112 @@
+//! A cam and a flat follower.
+//!
+//! With the lift `s(a)` over the cam angle `a`, base circle `r` and rate of rotation `w`: radius of curvature
+//! `r + s + s''`, speeds relative to the contact `w (r + s + s'')` of the cam and `w s''` of the follower, force
+//! `F + k s + m w^2 s''` of spring and mass.
+
+use std::error::Error;
+use std::f64::consts::TAU;
+use std::fs;
+
+use stribeck::units::Dimension;
+
+use super::{Machine, Options, length, number};
+use crate::output;
+
+/// Relative difference of angle steps that counts as equal.
+const EVEN: f64 = 1e-3;
+
+/// Lifts \[m\] at even angles of a turn, and their first angle \[rad\].
+fn lifts(options: &Options) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
+    let path = options.cam.as_ref().ok_or("--cam is missing")?;
+    let refused = |reason: String| -> Box<dyn Error> { format!("--cam {}: {reason}", path.display()).into() };
+    let text = fs::read_to_string(path).map_err(|error| refused(output::io_words(&error)))?;
+    let (mut angles, mut lifts) = (Vec::new(), Vec::new());
+    for (index, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let cells: Vec<Option<f64>> = line.split(',').map(|cell| cell.trim().parse().ok()).collect();
+        match *cells.as_slice() {
+            [Some(angle), Some(lift)] if f64::is_finite(angle) && f64::is_finite(lift) => {
+                angles.push(angle);
+                lifts.push(lift);
+            }
+            [None, None] if angles.is_empty() => {}
+            _ => return Err(refused(format!("line {} is not an angle and a lift: `{line}`", index + 1))),
+        }
+    }
+    let count = angles.len();
+    if count < 16 {
+        return Err(refused(format!("has {count} lines, a lift needs at least 16")));
+    }
+    let step = (angles[count - 1] - angles[0]) / (count - 1) as f64;
+    if let Some(row) = angles.windows(2).position(|pair| (pair[1] - pair[0] - step).abs() > EVEN * step.abs())
+    {
+        return Err(refused(format!(
+            "angle {} follows {}: the angles must have even steps",
+            angles[row + 1],
+            angles[row]
+        )));
+    }
+    // The last line may repeat the first.
+    if (step * (count - 1) as f64 - 360.0).abs() < EVEN * step {
+        lifts.pop();
+    } else if (step * count as f64 - 360.0).abs() > EVEN * step * count as f64 {
+        return Err(refused(format!("the angles cover {:.3} degrees, not a turn", step * count as f64)));
+    }
+    Ok((lifts, angles[0].to_radians()))
+}
+
+/// The cam over a turn.
+pub(super) fn machine(options: &Options) -> Result<Machine, Box<dyn Error>> {
+    let (lift, first) = lifts(options)?;
+    let base = length("--base-circle", &options.base_circle)?;
+    let width = length("--face-width", &options.face_width)?;
+    let rate = TAU * number("--rotation", options.rotation)? / 60.0;
+    let [spring, mass] = [number("--spring-rate", options.spring_rate)?, number("--mass", options.mass)?];
+    let preload = options.preload.as_ref().ok_or("--preload is missing")?;
+    let preload = output::positive(Dimension::Force, "--preload", preload)?;
+    let count = lift.len();
+    let step = TAU / count as f64;
+    let second: Vec<f64> = (0..count)
+        .map(|k| (lift[(k + 1) % count] - 2.0 * lift[k] + lift[(k + count - 1) % count]) / (step * step))
+        .collect();
+    let angles: Vec<f64> = (0..count).map(|k| first + step * k as f64).collect();
+    let radii: Vec<f64> = (0..count).map(|k| base + lift[k] + second[k]).collect();
+    let loads: Vec<f64> =
+        (0..count).map(|k| (preload + spring * lift[k] + mass * rate * rate * second[k]) / width).collect();
+    let degrees = |k: usize| angles[k].to_degrees();
+    if let Some(k) = radii.iter().position(|radius| *radius <= 0.0) {
+        return Err(format!(
+            "--base-circle: at {:.2} degrees the radius of curvature of the cam is {:.4e} m, it must be above 0; a larger base circle",
+            degrees(k),
+            radii[k]
+        )
+        .into());
+    }
+    if let Some(k) = loads.iter().position(|load| *load <= 0.0) {
+        return Err(format!(
+            "--preload: at {:.2} degrees the force is {:.4e} N, the follower leaves the cam; more preload or spring rate, less mass or \
+             rotation",
+            degrees(k),
+            loads[k] * width
+        )
+        .into());
+    }
+    let speeds = [radii.iter().map(|r| rate * r).collect(), second.iter().map(|s| rate * s).collect()];
+    let [cam, follower]: &[Vec<f64>; 2] = &speeds;
+    let reverses = cam.iter().zip(follower).any(|(a, b)| a + b < 0.0);
+    Ok(Machine {
+        title: format!("Cam and flat follower over a turn, {count} angles"),
+        bodies: ["cam", "follower"],
+        is_line: true,
+        reverses,
+        key: format!("period = {:e} # s, of a turn", TAU / rate),
+        places: ("angle", angles),
+        loads,
+        speeds,
+        radii,
+    })
+}

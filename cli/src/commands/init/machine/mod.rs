@@ -1,0 +1,156 @@
+//! Scenes with a cycle for `stribeck cycle`: gear flanks, cams, reciprocating balls.
+
+mod cam;
+mod gear;
+mod reciprocating;
+mod scene;
+
+use std::error::Error;
+use std::path::PathBuf;
+
+use stribeck::sim::{MixedLubricationSim, Scene};
+use stribeck::units::Dimension;
+
+use super::{Options as Init, answers};
+use crate::output::{self, Outcome};
+
+/// Options of the machines.
+#[derive(clap::Args)]
+pub(super) struct Options {
+    /// Flanks of a spur gear: a scene for `stribeck cycle`
+    #[arg(long, requires_all = ["module", "teeth", "face_width", "torque", "rotation"], conflicts_with_all = ["cam", "reciprocating"])]
+    gear: bool,
+    /// Module of the gear
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
+    module: Option<String>,
+    /// Teeth of pinion and wheel
+    #[arg(long, num_args = 2, value_names = ["PINION", "WHEEL"])]
+    teeth: Option<Vec<u32>>,
+    /// Pressure angle of the basic rack [default: 20 deg]
+    #[arg(long, allow_hyphen_values = true, value_name = "ANGLE")]
+    pressure_angle: Option<String>,
+    /// Profile shift coefficients of pinion and wheel [default: 0 0]
+    #[arg(long, num_args = 2, allow_hyphen_values = true, value_names = ["PINION", "WHEEL"])]
+    shift: Option<Vec<f64>>,
+    /// Centre distance [default: without backlash]
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
+    centre_distance: Option<String>,
+    /// Width of the flanks or of the cam
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
+    face_width: Option<String>,
+    /// Torque of the pinion, N m
+    #[arg(long, allow_hyphen_values = true, value_name = "N m")]
+    torque: Option<f64>,
+    /// Rate of rotation of the pinion or the cam, revolutions per minute
+    #[arg(long, allow_hyphen_values = true, value_name = "RPM")]
+    rotation: Option<f64>,
+    /// Load of a pair of teeth where two pairs are in mesh: from a third to two thirds of the load, or half of it
+    #[arg(long, value_enum, default_value_t = gear::Sharing::Trapezoid)]
+    load_sharing: gear::Sharing,
+    /// Cam and flat follower with the lift in this file, lines of an angle in degrees and a lift in metres
+    #[arg(long, value_name = "FILE", requires_all = ["base_circle", "face_width", "rotation", "spring_rate", "preload", "mass"], conflicts_with = "reciprocating")]
+    cam: Option<PathBuf>,
+    /// Radius of the base circle of the cam
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
+    base_circle: Option<String>,
+    /// Rate of the spring of the follower, N/m
+    #[arg(long, allow_hyphen_values = true, value_name = "N/m")]
+    spring_rate: Option<f64>,
+    /// Force of the spring without lift
+    #[arg(long, allow_hyphen_values = true, value_name = "FORCE")]
+    preload: Option<String>,
+    /// Mass that moves with the follower, kg
+    #[arg(long, allow_hyphen_values = true, value_name = "kg")]
+    mass: Option<f64>,
+    /// Ball of --radius under --load on a disc that reciprocates
+    #[arg(long, requires_all = ["stroke", "frequency"])]
+    reciprocating: bool,
+    /// Stroke of the disc, from end to end
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
+    stroke: Option<String>,
+    /// Frequency of the strokes, Hz
+    #[arg(long, allow_hyphen_values = true, value_name = "Hz")]
+    frequency: Option<f64>,
+}
+
+/// A contact over a cycle.
+struct Machine {
+    /// First line of the scene file.
+    title: String,
+    /// Names of ball and disc.
+    bodies: [&'static str; 2],
+    is_line: bool,
+    /// Whether the flow turns back.
+    reverses: bool,
+    /// A key of the cycle beside the lists: `once` or `period`.
+    key: String,
+    /// Time \[s\] or angle \[rad\] of the rows.
+    places: (&'static str, Vec<f64>),
+    /// Loads \[N\], of a line per length \[N/m\].
+    loads: Vec<f64>,
+    /// Speeds of ball and disc relative to the contact \[m/s\].
+    speeds: [Vec<f64>; 2],
+    /// Reduced radii \[m\].
+    radii: Vec<f64>,
+}
+
+/// Writes the scene of the machine that the options describe; `None` without one.
+pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
+    let machine = &options.machine;
+    let answers = answers::answers(options, false, None)?;
+    let machine = if machine.gear {
+        gear::machine(machine)?
+    } else if machine.cam.is_some() {
+        cam::machine(machine)?
+    } else if machine.reciprocating {
+        reciprocating::machine(machine, &answers)?
+    } else {
+        return match stray(machine) {
+            Some(option) => Err(format!("{option} goes with --gear, --cam or --reciprocating").into()),
+            None => Ok(None),
+        };
+    };
+    let text = scene::text(options, &answers, &machine)?;
+    let scene = Scene::from_toml(&text)?;
+    let warnings = MixedLubricationSim::builder(scene.clone()).check_contact()?;
+    output::warn(&warnings);
+    super::write(&options.file, &text, options.force)?;
+    if options.json {
+        output::print(&serde_json::to_value(&scene)?)?;
+    }
+    output::report_files(std::slice::from_ref(&options.file), options.json)?;
+    Ok(Some(Outcome::Converged))
+}
+
+/// An option of a machine.
+fn stray(options: &Options) -> Option<&'static str> {
+    let given = [
+        ("--module", options.module.is_some()),
+        ("--teeth", options.teeth.is_some()),
+        ("--pressure-angle", options.pressure_angle.is_some()),
+        ("--shift", options.shift.is_some()),
+        ("--centre-distance", options.centre_distance.is_some()),
+        ("--face-width", options.face_width.is_some()),
+        ("--torque", options.torque.is_some()),
+        ("--rotation", options.rotation.is_some()),
+        ("--base-circle", options.base_circle.is_some()),
+        ("--spring-rate", options.spring_rate.is_some()),
+        ("--preload", options.preload.is_some()),
+        ("--mass", options.mass.is_some()),
+        ("--stroke", options.stroke.is_some()),
+        ("--frequency", options.frequency.is_some()),
+    ];
+    given.into_iter().find_map(|(option, given)| given.then_some(option))
+}
+
+/// The positive value of the option `key`.
+fn length(key: &str, text: &Option<String>) -> Result<f64, Box<dyn Error>> {
+    let text = text.as_ref().ok_or_else(|| format!("{key} is missing"))?;
+    Ok(output::positive(Dimension::Length, key, text)?)
+}
+
+/// The positive number of the option `key`.
+fn number(key: &str, value: Option<f64>) -> Result<f64, Box<dyn Error>> {
+    let value = value.ok_or_else(|| format!("{key} is missing"))?;
+    Ok(output::require(value > 0.0, key, value, "finite and > 0")?)
+}

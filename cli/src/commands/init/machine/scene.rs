@@ -1,0 +1,109 @@
+//! The scene file of a machine.
+
+use std::error::Error;
+use std::fmt::Write as _;
+
+use stribeck::analytic::{HertzLine, HertzPoint};
+
+use super::super::answers::Answers;
+use super::super::{Options, STEEL, oil, plain, rounded};
+use super::Machine;
+
+/// Distance of the edges of the box from the middle, in the widest half-width: upstream, and downstream.
+const UPSTREAM: f64 = 4.0;
+const DOWNSTREAM: f64 = 2.0;
+/// Cells along x of a line, and along each side of a point contact.
+const LINE_CELLS: u32 = 256;
+const POINT_CELLS: u32 = 96;
+
+/// Values of a list in lines.
+fn list(values: &[f64]) -> String {
+    let lines =
+        values.chunks(8).map(|chunk| chunk.iter().map(|v| format!("{v:.9e}")).collect::<Vec<_>>().join(", "));
+    format!("[\n  {},\n]", lines.collect::<Vec<_>>().join(",\n  "))
+}
+
+/// The text of the scene.
+pub(super) fn text(
+    options: &Options,
+    answers: &Answers,
+    machine: &Machine,
+) -> Result<String, Box<dyn Error>> {
+    let (modulus, poisson) = STEEL;
+    let equivalent = modulus / (1.0 - poisson * poisson);
+    let mut half_width = 0.0_f64;
+    for (radius, load) in machine.radii.iter().zip(&machine.loads) {
+        let half = if machine.is_line {
+            HertzLine::from_load(*radius, equivalent, *load)?.half_width
+        } else {
+            HertzPoint::from_load(*radius, *radius, equivalent, *load)?.half_width_x
+        };
+        half_width = half_width.max(half);
+    }
+    let means = (0..machine.radii.len()).map(|k| 0.5 * (machine.speeds[0][k] + machine.speeds[1][k]).abs());
+    let (fastest, speed) =
+        means.enumerate().fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best });
+    let [ball, disc] = machine.bodies;
+    let sign = (machine.speeds[0][fastest] + machine.speeds[1][fastest]).signum();
+    let sliding = sign * (machine.speeds[0][fastest] - machine.speeds[1][fastest]);
+    let mut text = format!(
+        "# {}.\n# `stribeck cycle` solves it in time, `stribeck solve` one contact at the largest speed. Ball: the {ball}, disc: the {disc}.\n\
+         # Every key: docs/scene.md and docs/cycles.md.\n\n",
+        machine.title
+    );
+    let kind = if machine.is_line { "cylinder" } else { "sphere" };
+    writeln!(text, "[form]\nkind = \"{kind}\"\nradius = {:e} # m\n", machine.radii[fastest])?;
+    for body in ["ball", "disc"] {
+        writeln!(
+            text,
+            "[materials.{body}] # steel\nmodulus = \"{} GPa\"\npoisson = {poisson}\n",
+            modulus * 1e-9
+        )?;
+    }
+    let unit = if machine.is_line { "N/m" } else { "N" };
+    writeln!(text, "[load]\nforce = {:e} # {unit}\n", machine.loads[fastest])?;
+    writeln!(
+        text,
+        "[motion]\nentrainment_speed = {speed:e} # m/s\nslide_roll_ratio = {:e}\n",
+        sliding / speed
+    )?;
+    writeln!(
+        text,
+        "{}\n[friction]\nboundary_coefficient = 0.115 # where solids touch\neyring_stress = \"5 MPa\" # from which on the oil thins\n",
+        oil::tables(options, answers)
+    )?;
+    let up = UPSTREAM * half_width;
+    let down = if machine.reverses { up } else { DOWNSTREAM * half_width };
+    let edge = |length: f64| format!("{} um", plain(rounded(length) * 1e6));
+    writeln!(
+        text,
+        "[grid]\nnx = {}",
+        options.cells.unwrap_or(if machine.is_line { LINE_CELLS } else { POINT_CELLS })
+    )?;
+    if !machine.is_line {
+        writeln!(
+            text,
+            "ny = {}\ny = [\"-{}\", \"{}\"]",
+            options.cells.unwrap_or(POINT_CELLS),
+            edge(up),
+            edge(up)
+        )?;
+    }
+    writeln!(text, "x = [\"-{}\", \"{}\"]\n", edge(up), edge(down))?;
+    let (key, places) = &machine.places;
+    let values = [
+        (*key, places),
+        ("load", &machine.loads),
+        ("ball_speed", &machine.speeds[0]),
+        ("disc_speed", &machine.speeds[1]),
+        ("radius", &machine.radii),
+    ];
+    writeln!(text, "[cycle] # speeds relative to the contact; SI units, angles in rad")?;
+    if !machine.key.is_empty() {
+        writeln!(text, "{}", machine.key)?;
+    }
+    for (key, values) in values {
+        writeln!(text, "{key} = {}", list(values))?;
+    }
+    Ok(text)
+}
