@@ -202,7 +202,8 @@ impl SimBuilder {
         self.scene = steady_scene(self.scene)?;
         self.motion = Some(Arc::new(Advected));
         self.squeeze = true;
-        let sim = self.build()?;
+        let mut sim = self.build()?;
+        sim.takes_strips = true;
         let (grid, motion) = (sim.grid(), sim.scene().motion);
         let length = passage.unwrap_or(grid.size_x());
         InputError::require_positive("motion.passage", length)?;

@@ -162,6 +162,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
             elastic: Elastic::new(equivalent_modulus),
             materials: Materials::default(),
             schedule: Schedules::default(),
+            cycle: None,
             load,
             motion,
             lubricant,

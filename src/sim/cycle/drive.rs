@@ -124,7 +124,8 @@ impl Drive {
         }
         self.sim.operating_schedule = OperatingSchedule::constant(conditions);
         let record = self.sim.step_with_restart(time_step)?;
-        let scales = [self.sim.contact.hertz.pressure, self.sim.contact.formula_film()];
+        let formula = self.sim.contact.formulas.map_or(0.0, |formulas| formulas.map.central);
+        let scales = [self.sim.contact.hertz.pressure, formula];
         Ok(CyclePoint::of(row, self.table.turn, &record, scales))
     }
 

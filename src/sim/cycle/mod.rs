@@ -9,8 +9,8 @@ mod point;
 
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::sim::contact::setup;
 use crate::sim::contact::warnings::Warning;
+use crate::sim::contact::{setup, strip};
 use crate::sim::error::SimError;
 use crate::sim::history::builder::SimBuilder;
 use crate::sim::scene::cycle::{CycleRow, CycleTable};
@@ -71,7 +71,8 @@ impl SimBuilder {
         self.scene = cycle_scene(self.scene, &table)?;
         self.motion = Some(std::sync::Arc::new(Fixed));
         self.squeeze = !table.quasi_static;
-        let sim = self.build()?;
+        let mut sim = self.build()?;
+        sim.takes_strips = true;
         require_rows(&sim.scene, &sim.contact.grid, &table)?;
         drive::Drive::new(sim, table).run(observer)
     }
@@ -109,6 +110,7 @@ pub(in crate::sim::cycle) fn set_row(scene: &mut Scene, row: &CycleRow) {
 
 /// Rejects scenes that have no cycle.
 fn require_cycle(scene: &Scene, table: &CycleTable) -> Result<(), InputError> {
+    strip::validate(scene)?;
     let picks_grid = matches!(scene.grid, GridSpec::Accuracy { .. }) || scene.grid.grows();
     let is_turned = scene.form.angle() != 0.0 || scene.motion.spin_radius.is_some();
     let found = [

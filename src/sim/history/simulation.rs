@@ -126,6 +126,8 @@ pub struct MixedLubricationSim {
     pub(in crate::sim) backup: [Body; 2],
     /// The contact before the present step.
     before: ContactState,
+    /// Whether the grid may be a strip: in passages and cycles, which have no wear.
+    pub(in crate::sim) takes_strips: bool,
     /// Warnings so far.
     pub(in crate::sim) warnings: Vec<Warning>,
     /// Interrupt of solves, also in a wider box.
@@ -169,6 +171,7 @@ impl MixedLubricationSim {
             step: 0,
             draws: 0,
             before: ContactState::new(&grid),
+            takes_strips: false,
             warnings,
             interrupt: None,
             #[cfg(feature = "serde")]
@@ -203,13 +206,9 @@ impl MixedLubricationSim {
         }
     }
 
-    /// Rejects strips, except in motion with squeeze, where bodies neither wear nor grow a tribofilm.
+    /// Rejects histories of strips, unless passages and cycles take their steps.
     fn require_no_strip_history(&self) -> Result<(), InputError> {
-        let changes = self.laws.wear.is_some() || self.laws.growth.is_some();
-        if self.surface_motion.squeeze && !changes {
-            return Ok(());
-        }
-        strip::require_single_contact(&self.scene)
+        if self.takes_strips { Ok(()) } else { strip::require_single_contact(&self.scene) }
     }
 
     /// As [`step_within`](Self::step_within), without widening the box.
