@@ -119,10 +119,25 @@ fn scenes_that_cannot_move_are_refused_by_name() {
     }
     let builder = || MixedLubricationSim::builder(rough());
     assert!(builder().check_contact().is_ok());
-    for error in [builder().build().unwrap_err(), builder().solve().unwrap_err()] {
-        assert!(error.to_string().contains("solve_passage"), "{error}");
-    }
+    let error = builder().build().unwrap_err().to_string();
+    assert!(error.contains("track.motion"), "{error}");
     let stray = "form = { kind = \"sphere\", radius = 1.0 }\nload.force = 1\nelastic.equivalent_modulus = 1e9\n\
                  motion = { entrainment_speed = 1.0, passage = 1.0 }\ngrid.accuracy = 0.01";
     assert!(Scene::from_toml(stray).unwrap_err().to_string().contains("roughness = \"moving\""));
+}
+
+#[test]
+fn solved_contact_has_the_means_of_its_passage() {
+    let mut scene = rough();
+    scene.motion.passage = Some(0.1e-3);
+    let contact = solve_contact(&scene).unwrap();
+    let means = pass(scene).means;
+    for (value, scatter) in [
+        (contact.film.mean_central, means.film_mean_central),
+        (contact.film.minimum, means.film_minimum),
+        (contact.pressure.max, means.pressure_max),
+        (contact.friction.coefficient, means.friction_coefficient),
+    ] {
+        assert!((value / scatter.mean - 1.0).abs() < 1e-12, "{value:e}, {scatter:?}");
+    }
 }

@@ -202,6 +202,7 @@ fn every_documented_key_with_a_unit_takes_one() {
         include_str!("../docs/scene_fluid.md"),
         include_str!("../docs/scene_laws.md"),
         include_str!("../docs/scene_history.md"),
+        include_str!("../docs/cycles.md"),
     ]
     .concat();
     let mut section = String::new();

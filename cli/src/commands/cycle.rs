@@ -64,6 +64,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
             "points": solution.points,
             "quasi_static": solution.quasi_static,
             "largest_step": solution.largest_step,
+            "closure": solution.closure,
             "largest_squeeze_ratio": largest_squeeze(&solution).map(|point| point.squeeze_ratio),
             "warnings": solution.warnings,
             "ended_early": solution.ended_early,

@@ -10,8 +10,26 @@ use crate::sim::scene::Motion;
 use crate::sim::scene::cycle::{CycleRow, CycleTable};
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 
-/// Entrainment speed at a dead point over the largest one. The film is then governed by squeeze.
+/// Least entrainment speed over the largest one of the cycle.
 const LEAST_ENTRAINMENT: f64 = 1e-9;
+/// Way of the entrained film in a step at a dead point, in half-widths. Squeeze governs such a film.
+const LEAST_WAY: f64 = 1e-3;
+/// Most rounds of a cycle that repeats.
+const MOST_ROUNDS: usize = 5;
+/// Relative difference of the last central film from that one cycle before, from which on a further round is solved.
+const CLOSURE: f64 = 1e-4;
+
+/// The contacts of one round.
+#[derive(Default)]
+struct Round {
+    points: Vec<CyclePoint>,
+    /// Hertz half-width along x of each \[m\].
+    half_widths: Vec<f64>,
+    /// Largest way of the entrained film in a step, in half-widths.
+    largest_step: f64,
+    /// Reason for an early end.
+    ended_early: Option<String>,
+}
 
 /// A simulation that follows a cycle.
 pub(super) struct Drive {
@@ -32,57 +50,77 @@ impl Drive {
         mut self,
         observer: &mut dyn FnMut(&CyclePoint) -> bool,
     ) -> Result<CycleSolution, SimError> {
-        let (rows, start_up) = self.rows();
-        let mut points: Vec<CyclePoint> = Vec::with_capacity(rows.len());
-        let (mut ended_early, mut largest_step) = (None, 0.0_f64);
-        let mut half_widths = Vec::with_capacity(rows.len());
-        for (index, pair) in rows.windows(2).enumerate() {
-            let row = pair[0];
-            let time_step = pair[1].time - row.time;
-            let point = match self.contact(&row, time_step) {
-                Err(error @ SimError::NotConverged { .. }) if !points.is_empty() => {
-                    ended_early = Some(format!("at {:.6e} s: {error}", row.time));
-                    break;
-                }
-                point => point?,
-            };
-            if index < start_up {
-                continue;
+        let (start_up, cycle) = self.rows();
+        let mut round = Round::default();
+        self.pass(&start_up, &mut round, observer)?;
+        let mut closure = 0.0;
+        for _ in 0..MOST_ROUNDS {
+            let before = round.points.last().map(|point| point.film_central);
+            if round.ended_early.is_some() {
+                break;
             }
-            let half_width = self.sim.contact.hertz.half_extents()[0];
-            largest_step = largest_step.max(row.entrainment().abs() * time_step / half_width);
-            half_widths.push(half_width);
-            let goes_on = observer(&point);
-            points.push(point);
-            if !goes_on {
-                ended_early = Some("stopped by the observer".to_owned());
+            round = Round::default();
+            self.pass(&cycle, &mut round, observer)?;
+            let last = round.points.last().map(|point| point.film_central);
+            closure = before.zip(last).map_or(0.0, |(before, last)| (last / before - 1.0).abs());
+            if closure <= CLOSURE {
                 break;
             }
         }
+        let Round { mut points, half_widths, largest_step, ended_early } = round;
         set_squeeze_ratios(&mut points, &half_widths, self.table.once || ended_early.is_some());
         Ok(CycleSolution {
             grid: self.sim.grid(),
             points,
             quasi_static: self.table.quasi_static,
             largest_step,
+            closure,
             ended_early,
             warnings: self.sim.warnings().to_vec(),
         })
     }
 
-    /// The rows to solve, each up to the time of the next one, and the number of those before the cycle begins. The last
-    /// row only ends the one before it.
-    fn rows(&self) -> (Vec<CycleRow>, usize) {
+    /// Solves the contacts at all `rows` but the last, each up to the time of the next one.
+    fn pass(
+        &mut self,
+        rows: &[CycleRow],
+        round: &mut Round,
+        observer: &mut dyn FnMut(&CyclePoint) -> bool,
+    ) -> Result<(), SimError> {
+        for pair in rows.windows(2) {
+            let (row, time_step) = (pair[0], pair[1].time - pair[0].time);
+            let point = match self.contact(&row, time_step) {
+                Err(error @ SimError::NotConverged { .. }) if self.sim.steps() > 0 => {
+                    round.ended_early = Some(format!("at {:.6e} s: {error}", row.time));
+                    return Ok(());
+                }
+                point => point?,
+            };
+            let half_width = self.sim.contact.hertz.half_extents()[0];
+            let way = row.entrainment().abs() * time_step / half_width;
+            round.largest_step = round.largest_step.max(way);
+            round.half_widths.push(half_width);
+            round.points.push(point);
+            if !observer(&point) {
+                round.ended_early = Some("stopped by the observer".to_owned());
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
+    /// The rows before the cycle begins, and those of the cycle. The last row of each only ends the one before it.
+    fn rows(&self) -> (Vec<CycleRow>, Vec<CycleRow>) {
         let table = &self.table;
         let [first, length] = table.span();
-        let Some(last) = table.rows.last().copied() else { return (Vec::new(), 0) };
+        let Some(last) = table.rows.last().copied() else { return (Vec::new(), Vec::new()) };
         let after = |step: f64| CycleRow { time: last.time + step, ..last };
         if table.quasi_static {
             let mut rows = table.rows.clone();
             if table.once {
                 rows.push(after(length / table.rows.len() as f64));
             }
-            return (rows, 0);
+            return (Vec::new(), rows);
         }
         let step = length / table.steps as f64;
         let at = |k: usize| {
@@ -91,13 +129,13 @@ impl Drive {
         };
         let cycle: Vec<CycleRow> = (0..=table.steps).map(at).collect();
         if table.once {
-            return (cycle.into_iter().chain([after(step)]).collect(), 0);
+            return (Vec::new(), cycle.into_iter().chain([after(step)]).collect());
         }
         // From the largest entrainment speed to the end of the cycle before.
         let speed = |k: &usize| cycle[*k].entrainment().abs();
         let start = (0..table.steps).max_by(|a, b| speed(a).total_cmp(&speed(b))).unwrap_or(0);
-        let before = cycle[start..table.steps].iter().map(|row| CycleRow { time: row.time - length, ..*row });
-        (before.chain(cycle.iter().copied()).collect(), table.steps - start)
+        let before = cycle[start..].iter().map(|row| CycleRow { time: row.time - length, ..*row });
+        (before.collect(), cycle)
     }
 
     /// Solves the contact at `row`, which lasts `time_step` \[s\].
@@ -106,7 +144,11 @@ impl Drive {
         if entrainment * self.direction < 0.0 {
             self.mirror()?;
         }
-        let speed = entrainment.abs().max(LEAST_ENTRAINMENT * self.table.largest_entrainment());
+        let mut least = LEAST_ENTRAINMENT * self.table.largest_entrainment();
+        if !self.table.quasi_static {
+            least = least.max(LEAST_WAY * self.sim.contact.hertz.half_extents()[0] / time_step);
+        }
+        let speed = entrainment.abs().max(least);
         let sliding = self.direction * (row.speeds[0] - row.speeds[1]);
         let conditions = Conditions {
             load: row.load,

@@ -34,6 +34,8 @@ pub struct CycleSolution {
     pub quasi_static: bool,
     /// Largest way of the entrained film in a step, in half-widths of the Hertz contact.
     pub largest_step: f64,
+    /// Relative difference of the last central film from that one cycle before; zero for a cycle that does not repeat.
+    pub closure: f64,
     /// Reason for an early end: a contact that did not converge.
     pub ended_early: Option<String>,
     /// Warnings.
@@ -42,8 +44,9 @@ pub struct CycleSolution {
 
 impl SimBuilder {
     /// Solves the cycle of the scene ([`CycleSpec`](crate::sim::scene::CycleSpec)); `observer` is called after each contact
-    /// that counts and may return false to stop. The roughness is at rest in the contact, oil is supplied at the edges of
-    /// the box, wear is left out. A cycle that repeats begins before its first row, at its largest entrainment speed.
+    /// and may return false to stop. The roughness is at rest in the contact, oil is supplied at the edges of
+    /// the box, wear is left out. A cycle that repeats begins before its first row, at its largest entrainment speed, and
+    /// is solved again until its last film repeats.
     ///
     /// # Errors
     /// A table or a scene that does not fit, with row, field and value; flow along -x in a box that is not symmetric. A
@@ -71,9 +74,9 @@ impl SimBuilder {
         self.scene = cycle_scene(self.scene, &table)?;
         self.motion = Some(std::sync::Arc::new(Fixed));
         self.squeeze = !table.quasi_static;
+        require_rows(&self.scene, &self.scene.grid()?, &table)?;
         let mut sim = self.build()?;
         sim.takes_strips = true;
-        require_rows(&sim.scene, &sim.contact.grid, &table)?;
         drive::Drive::new(sim, table).run(observer)
     }
 }

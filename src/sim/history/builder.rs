@@ -333,7 +333,7 @@ impl SimBuilder {
     /// # Errors
     /// A scene or heights that do not fit.
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
-        require_at_rest(&self.scene, "histories have the keys of [track]")?;
+        require_at_rest(&self.scene)?;
         self.scene.schedule.read_tables()?;
         self.require_growable()?;
         #[cfg(feature = "serde")]
@@ -527,16 +527,16 @@ impl SimBuilder {
     }
 }
 
-/// Rejects roughness in motion where contacts have it at rest; `remedy` is the other way.
-pub(in crate::sim) fn require_at_rest(scene: &Scene, remedy: &str) -> Result<(), InputError> {
+/// Rejects roughness in motion in a history.
+fn require_at_rest(scene: &Scene) -> Result<(), InputError> {
     if scene.motion.roughness.is_at_rest() {
         return Ok(());
     }
     Err(InputError::Conflict {
         field: "motion.roughness = \"moving\"".to_owned(),
-        reason: format!(
-            "is for single contacts by `SimBuilder::solve_passage` and `stribeck solve`; {remedy}"
-        ),
+        reason:
+            "is for single contacts; in a history track.motion says how the roughness moves from step to step"
+                .to_owned(),
     })
 }
 

@@ -10,6 +10,7 @@ const PAGES: [(&str, &str); 7] = [
     ("docs/scene_fluid.md", include_str!("../../../docs/scene_fluid.md")),
     ("docs/scene_laws.md", include_str!("../../../docs/scene_laws.md")),
     ("docs/scene_history.md", include_str!("../../../docs/scene_history.md")),
+    ("docs/cycles.md", include_str!("../../../docs/cycles.md")),
     ("docs/given_film.md", include_str!("../../../docs/given_film.md")),
     ("docs/flat_contact.md", include_str!("../../../docs/flat_contact.md")),
 ];

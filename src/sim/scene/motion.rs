@@ -39,12 +39,15 @@ pub struct Motion {
 /// # Examples
 ///
 /// ```
-/// use stribeck::sim::Scene;
 /// use stribeck::sim::scene::RoughnessState;
-/// let mut scene = Scene::azam_2019(16);
-/// assert_eq!(scene.motion.roughness, RoughnessState::AtRest);
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(24);
+/// (scene.motion.entrainment_speed, scene.plastic) = (5.0, None);
+/// let rest = solve_contact(&scene)?;
 /// scene.motion.roughness = RoughnessState::Moving;
-/// assert!(stribeck::sim::solve_contact(&scene).unwrap_err().to_string().contains("solve_passage"));
+/// let moving = solve_contact(&scene)?;
+/// assert!(moving.film.mean_central > rest.film.mean_central);
+/// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
@@ -53,7 +56,7 @@ pub enum RoughnessState {
     /// The roughness of both bodies rests in the contact, whatever their speeds: one steady contact.
     #[default]
     AtRest,
-    /// The roughness of each body moves at its speed: a transient contact with squeeze, see
+    /// The roughness of each body moves at its speed: a transient contact with squeeze and its means, see
     /// [`SimBuilder::solve_passage`](crate::sim::SimBuilder::solve_passage).
     Moving,
 }

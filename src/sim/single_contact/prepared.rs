@@ -20,7 +20,7 @@ use crate::sim::contact::warnings::Warning;
 use crate::sim::contact::{asperity_inlets, outer_rows, setup, strip, warnings};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
-use crate::sim::history::builder::{ReplacedParts, SimBuilder, require_at_rest};
+use crate::sim::history::builder::{ReplacedParts, SimBuilder};
 use crate::sim::history::placement::Placement;
 use crate::sim::history::track::track_rq;
 use crate::sim::history::yielding::Yielding;
@@ -32,7 +32,9 @@ impl SimBuilder {
     /// Solves the single contact of the bodies in the first position of their roughness under the initial
     /// conditions. It is [`solve_contact`](crate::sim::solve_contact) with the laws, heights and starts given to
     /// this builder. Bodies do not change: growth and wear laws are not called, and a hardness that grows with
-    /// the plastic depth of this contact stays at its initial value.
+    /// the plastic depth of this contact stays at its initial value. Of a scene whose roughness moves
+    /// ([`RoughnessState::Moving`](crate::sim::scene::RoughnessState::Moving)) it is the last contact of
+    /// [`solve_passage`](Self::solve_passage), with film, pressure, solid contact and friction in the mean of the passage.
     ///
     /// # Errors
     /// A scene, heights or starts that do not fit; a load that the pressure limit cannot carry; custom components
@@ -75,6 +77,9 @@ impl SimBuilder {
         mut observer: impl FnMut(&ContactSolution),
     ) -> Result<ContactSolution, SimError> {
         let scene = self.scene.clone();
+        if !scene.motion.roughness.is_at_rest() {
+            return self.solve_mean_contact();
+        }
         let mut solution = match self.begin()? {
             ReadySolve::Mesh(contact) => contact.solve()?,
             ReadySolve::Meshes(meshes) => meshes.solve(&mut observer)?,
@@ -116,7 +121,6 @@ impl SimBuilder {
     /// Prepares the contact and returns all input errors.
     fn begin(mut self) -> Result<ReadySolve, SimError> {
         strip::validate(&self.scene)?;
-        require_at_rest(&self.scene, "leave it out for a steady contact")?;
         if needs_meshes(&self.scene) {
             if let Some(part) = self.custom_part() {
                 return Err(SimError::Input(InputError::Conflict {

@@ -4,11 +4,14 @@
 //! faster surface. After a start-up, in which the film is carried from the inlet edge of the box to the end of the Hertz
 //! contact, means are taken over the passage.
 
+mod mean_contact;
+
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::report::SolveReport;
 use crate::sim::contact::strip;
 use crate::sim::contact::warnings::Warning;
 use crate::sim::error::SimError;
@@ -112,6 +115,8 @@ pub struct PassageSolution {
     pub means: PassageNumbers,
     /// Reason for an early end: a contact that did not converge. Means are those of the contacts before it.
     pub ended_early: Option<String>,
+    /// Report of the contact that did not converge.
+    pub failure: Option<SolveReport>,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }
@@ -157,8 +162,13 @@ impl SimBuilder {
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn solve_passage(self, observer: &mut impl Observer) -> Result<PassageSolution, SimError> {
+        Ok(self.pass(observer)?.0)
+    }
+
+    /// The passage, and the simulation at its end.
+    fn pass(self, observer: &mut impl Observer) -> Result<(PassageSolution, MixedLubricationSim), SimError> {
         let ReadyPassage { mut sim, time_step, start_up, contacts } = self.begin_passage()?;
-        let (mut records, mut ended_early) = (Vec::with_capacity(contacts), None);
+        let (mut records, mut ended_early, mut failure) = (Vec::with_capacity(contacts), None, None);
         while records.len() < contacts {
             match sim.step_with_restart(time_step) {
                 Ok(record) => {
@@ -169,14 +179,15 @@ impl SimBuilder {
                         break;
                     }
                 }
-                Err(error @ SimError::NotConverged { .. }) if !records.is_empty() => {
-                    ended_early = Some(error.to_string());
+                Err(SimError::NotConverged { source, step, .. }) if !records.is_empty() => {
+                    ended_early = Some(format!("contact {step} was not solved: {source}"));
+                    failure = Some(*source.report);
                     break;
                 }
                 Err(error) => return Err(error),
             }
         }
-        Ok(PassageSolution {
+        let solution = PassageSolution {
             grid: sim.grid(),
             hertz: sim.hertz(),
             time_step,
@@ -184,8 +195,10 @@ impl SimBuilder {
             means: PassageNumbers::of(records.get(start_up..).unwrap_or_default()),
             records,
             ended_early,
+            failure,
             warnings: sim.warnings().to_vec(),
-        })
+        };
+        Ok((solution, sim))
     }
 
     /// The input errors of [`solve_passage`](Self::solve_passage) without solving; the warnings known by then.

@@ -1,0 +1,227 @@
+//! Passages and cycles by the command, and scenes of machines.
+#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+
+mod common;
+
+use std::f64::consts::{PI, TAU};
+use std::fs;
+use std::path::Path;
+
+use common::{assert_pictures, assert_refused, error_of, json_of, stribeck, text};
+use serde_json::Value;
+
+fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap_or_else(|| panic!("{key} in {value}"))
+}
+
+const FZG: [&str; 22] = [
+    "--gear",
+    "--module",
+    "4.5 mm",
+    "--teeth",
+    "16",
+    "24",
+    "--shift",
+    "0.1817",
+    "0.1715",
+    "--centre-distance",
+    "91.5 mm",
+    "--face-width",
+    "14 mm",
+    "--torque",
+    "94.1",
+    "--rotation",
+    "2170",
+    "--grade",
+    "ISO VG 100",
+    "--temperature",
+    "90 degC",
+    "--force",
+];
+
+/// A scene of the machine that `options` describe.
+fn init(folder: &Path, options: &[&str]) -> std::path::PathBuf {
+    let path = folder.join("machine.toml");
+    let output = stribeck(&[&["init", text(&path)], options].concat());
+    assert!(output.status.success(), "{output:?}");
+    path
+}
+
+/// Flanks of type C: published tip radii and contact ratio, films by formula, flash temperature by Blok.
+#[test]
+fn fzg_flanks_have_films_by_formula_and_the_flash_temperature_of_blok() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = init(folder.path(), &FZG);
+    assert!(fs::read_to_string(&path).unwrap().contains("contact ratio 1.43"), "FZG type C: 1.44");
+    let output = stribeck(&["cycle", text(&path), "--json", "--plot", "--out", text(folder.path())]);
+    assert!(output.status.success(), "{}", error_of(&output));
+    assert_pictures(folder.path(), "machine_cycle", &["film (nm)", "flash (K)", "time (ms)"]);
+    let json = json_of(&output);
+    let points = json["points"].as_array().unwrap();
+    assert_eq!(points.len(), 401);
+    // Behind the jumps of load at the ends of single contact the film follows within ten steps.
+    let jumps = |k: usize| {
+        points[k.saturating_sub(12)..(k + 2).min(401)].iter().any(|p| number(p, "squeeze_ratio") > 0.02)
+    };
+    let mut compared = 0;
+    for (k, point) in points.iter().enumerate() {
+        let film = number(point, "film_central") / number(point, "formula_film");
+        assert!(jumps(k) || (0.9..1.1).contains(&film), "film over formula {film} in contact {k}");
+        compared += usize::from(!jumps(k));
+        let (u1, u2) = (number(point, "ball_speed"), number(point, "disc_speed"));
+        let (load, radius) = (number(point, "load"), number(point, "radius"));
+        let half_width = (8.0 * load * radius / (PI * 210e9 / 0.91)).sqrt();
+        let effusivity = 46.0 / 1.27e-5_f64.sqrt();
+        let blok = 1.11 * number(point, "friction_coefficient") * load * (u1.sqrt() - u2.sqrt()).abs()
+            / (effusivity * (2.0 * half_width).sqrt());
+        let flash = number(point, "flash_rise");
+        assert!((flash - blok).abs() < 0.2 * blok + 0.5, "{flash} K, Blok {blok} K in contact {k}");
+        assert!(number(point, "residual_load") < 1e-6);
+    }
+    assert!(compared > 300, "{compared} contacts");
+    let table = fs::read_to_string(folder.path().join("machine_cycle.csv")).unwrap();
+    assert!(table.starts_with("time_s,angle_rad,load_N") && table.lines().count() == 402);
+}
+
+/// Lift `h (1 - d^2)^3` over 75 degrees to each side of the nose.
+fn lift(folder: &Path, count: u32) -> std::path::PathBuf {
+    let path = folder.join("lift.csv");
+    let line = |k: u32| {
+        let angle = 360.0 * f64::from(k) / f64::from(count);
+        let d = (angle - 180.0) / 75.0;
+        format!("{angle},{}\n", if d.abs() < 1.0 { 8e-3 * (1.0 - d * d).powi(3) } else { 0.0 })
+    };
+    fs::write(&path, (0..count).map(line).collect::<String>()).unwrap();
+    path
+}
+
+fn cam(lift: &Path) -> Vec<&str> {
+    let mut options = vec!["--cam", text(lift)];
+    options.extend([
+        "--base-circle",
+        "26 mm",
+        "--face-width",
+        "12 mm",
+        "--rotation",
+        "1000",
+        "--spring-rate",
+        "30000",
+    ]);
+    options.extend(["--preload", "250 N", "--mass", "0.12", "--cells", "96", "--force"]);
+    options
+}
+
+/// Mixed contacts of a strip by the law of asperity inlets, through both reversals.
+#[test]
+fn cam_by_asperity_inlets_balances_the_load_at_all_angles() {
+    let folder = tempfile::tempdir().unwrap();
+    let lift = lift(folder.path(), 73);
+    let path = init(folder.path(), &cam(&lift));
+    let scene = fs::read_to_string(&path).unwrap();
+    let (mut row, rate) = (0, TAU * 1000.0 / 60.0);
+    let numbers = |key: &str| -> Vec<f64> {
+        let list = scene.split(&format!("\n{key} = [")).last().unwrap().split(']').next().unwrap();
+        list.split(',').filter_map(|cell| cell.trim().parse().ok()).collect()
+    };
+    let [cam_speeds, follower] = ["ball_speed", "disc_speed"].map(numbers);
+    // Sliding speed of a flat follower: rate of rotation times base circle and lift.
+    for (k, (u1, u2)) in cam_speeds.iter().zip(&follower).enumerate() {
+        let d: f64 = (360.0 * k as f64 / 73.0 - 180.0) / 75.0;
+        let lift = if d.abs() < 1.0 { 8e-3 * (1.0 - d * d).powi(3) } else { 0.0 };
+        assert!(((u1 - u2) / (rate * (26e-3 + lift)) - 1.0).abs() < 1e-6);
+        row += usize::from(u1 + u2 < 0.0);
+    }
+    assert!(row > 4, "{row} rows with reversed flow");
+    let rough = "[roughness.ball]\nkind = \"gaussian\"\nrq = 0.4e-6\nlength_x = 40e-6\nlength_y = 40e-6\nseed = 1\n[solver]\n\
+                 model = \"asperity_inlets\"\n[cycle]\nquasi_static = true";
+    let strip = scene
+        .replace("nx = 96", "across = \"periodic\"\nnx = 96\nny = 24\ny = [-0.1e-3, 0.1e-3]")
+        .replace("[cycle]", rough);
+    fs::write(&path, strip).unwrap();
+    let output = stribeck(&["cycle", text(&path), "--json", "--out", text(folder.path())]);
+    assert!(output.status.success(), "{}", error_of(&output));
+    assert!(error_of(&output).contains("cycle.quasi_static"), "{}", error_of(&output));
+    let json = json_of(&output);
+    let points = json["points"].as_array().unwrap();
+    assert_eq!(points.len(), 73);
+    assert!(points.iter().all(|point| number(point, "residual_load") < 1e-6));
+    assert!(points.iter().any(|point| number(point, "contact_load_ratio") > 0.05));
+}
+
+#[test]
+fn machines_that_cannot_run_are_refused_by_value() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("machine.toml");
+    let lift = lift(folder.path(), 73);
+    let with = |options: &[&str], from: &str, to: &str| -> Vec<String> {
+        let changed = options.iter().map(|option| if *option == from { to } else { option }.to_owned());
+        ["init".to_owned(), text(&path).to_owned()].into_iter().chain(changed).collect()
+    };
+    let cam = cam(&lift);
+    assert_refused(&with(&FZG, "16", "9"), &["--teeth 9", "undercuts"]);
+    assert_refused(&with(&FZG, "91.5 mm", "80 mm"), &["--centre-distance", "0.08"]);
+    assert_refused(&with(&FZG, "91.5 mm", "96 mm"), &["contact ratio"]);
+    assert_refused(&with(&FZG, "94.1", "-1"), &["--torque", "-1"]);
+    assert_refused(&with(&cam, "26 mm", "18 mm"), &["--base-circle", "degrees", "radius of curvature"]);
+    assert_refused(&with(&cam, "0.12", "3"), &["--preload", "leaves the cam"]);
+    assert_refused(&["init", text(&path), "--module", "2 mm"], &["--module", "--gear"]);
+    fs::write(&lift, "angle, lift\n0, 0\n90, high\n").unwrap();
+    assert_refused(&with(&cam, "", ""), &["line 3"]);
+    assert!(!path.exists());
+}
+
+#[test]
+fn passage_prints_means_and_writes_contacts_and_frames() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("ridges.toml");
+    let scene = "form = { kind = \"cylinder\", radius = 10e-3 }\nelastic.equivalent_modulus = 230e9\nload.hertz_pressure = 0.8e9\n\
+                 motion = { entrainment_speed = 3.0, slide_roll_ratio = 0.5, roughness = \"moving\", passage = \"0.2 mm\" }\n\
+                 lubricant = { eta0 = 0.01, alpha = 15e-9, roelands_z = 0.6 }\nfriction.eyring_stress = 5e6\n\
+                 grid = { nx = 96, x = [-0.4e-3, 0.3e-3] }\n\
+                 roughness.ball = { kind = \"gaussian\", rq = 0.05e-6, length_x = 80e-6, length_y = 80e-6, seed = 1 }\n";
+    fs::write(&path, scene).unwrap();
+    let csv = folder.path().join("contacts.csv");
+    let more = ["--csv", text(&csv), "--frames", "3", "--plot", "--out", text(folder.path()), "--json"];
+    let output = stribeck(&[&["solve", text(&path)], &more[..]].concat());
+    assert!(output.status.success(), "{}", error_of(&output));
+    let json = json_of(&output);
+    let table = fs::read_to_string(&csv).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let column = rows[0].iter().position(|name| *name == "film_mean_central_m").unwrap();
+    let films: Vec<f64> =
+        rows[1..].iter().filter(|row| row[0] == "1").map(|row| row[column].parse().unwrap()).collect();
+    assert_eq!(films.len() as f64, number(&json, "contacts"));
+    assert_eq!((rows.len() - 1 - films.len()) as f64, number(&json, "start_up"));
+    let mean = films.iter().sum::<f64>() / films.len() as f64;
+    assert!((number(&json["means"]["film_mean_central"], "mean") / mean - 1.0).abs() < 1e-12);
+    for frame in ["ridges_frame_0000.npz", "ridges_frame_0001.npz", "ridges_frame_0002.npz"] {
+        assert!(folder.path().join(frame).exists());
+    }
+    assert_pictures(folder.path(), "ridges_passage", &["mean film (nm)", "on solids"]);
+    let told = String::from_utf8(stribeck(&["solve", text(&path)]).stdout).unwrap();
+    assert!(told.starts_with("passage") && told.contains("mean film") && told.contains(" +- "), "{told}");
+    let checked = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
+    assert!(checked.contains("moving roughness"), "{checked}");
+    assert_refused(&["run", text(&path), "--duration", "1"], &["motion.roughness", "track.motion"]);
+    fs::write(
+        &path,
+        scene.replace("roughness = \"moving\", passage = \"0.2 mm\"", "roughness = \"at_rest\""),
+    )
+    .unwrap();
+    assert_refused(&["solve", text(&path), "--frames", "3"], &["--frames", "moving"]);
+    let checked = json_of(&stribeck(&["check", text(&path), "--json"]));
+    let part = checked["modelled"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|part| part["what"] == "moving roughness")
+        .unwrap();
+    assert!(part["why"].as_str().unwrap().contains("a model"), "{part}");
+}
+
+#[test]
+fn cycle_without_a_table_is_refused() {
+    let smooth = common::repository("examples/scenes/line.toml");
+    let folder = tempfile::tempdir().unwrap();
+    assert_refused(&["cycle", text(&smooth), "--out", text(folder.path())], &["cycle", "is missing"]);
+}

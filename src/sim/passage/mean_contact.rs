@@ -1,0 +1,75 @@
+//! A passage as one contact: the last one, with the means over the passage in place of its numbers.
+
+use crate::sim::contact::numbers::{
+    ContactNumbers, FilmNumbers, FrictionNumbers, Numbers, PressureNumbers, RoughnessNumbers,
+};
+use crate::sim::contact::solution::ContactSolution;
+use crate::sim::error::SimError;
+use crate::sim::history::builder::SimBuilder;
+use crate::sim::history::record::StepRecord;
+use crate::sim::history::simulation::MixedLubricationSim;
+
+impl SimBuilder {
+    /// [`solve`](Self::solve) of a scene whose roughness moves.
+    pub(in crate::sim) fn solve_mean_contact(self) -> Result<ContactSolution, SimError> {
+        let mut go_on = |_: &MixedLubricationSim, _: &StepRecord| std::ops::ControlFlow::Continue(());
+        let (solution, sim) = self.pass(&mut go_on)?;
+        let mut passage = solution.passage();
+        if passage.is_empty() {
+            passage = &solution.records;
+        }
+        let Some(last) = passage.last() else {
+            // A passage has at least one contact.
+            return Err(SimError::Interrupted);
+        };
+        let mut report = last.report.clone();
+        if let Some(failed) = &solution.failure {
+            report.clone_from(failed);
+        }
+        let heat = last.thermal.map(|numbers| (numbers, Vec::new()));
+        let gap = sim.placement.gap.clone();
+        let numbers = means(passage, last.roughness);
+        let mut contact =
+            sim.contact.solution((report, heat), sim.state.clone(), gap, Some(&sim.friction), numbers);
+        contact.warnings.splice(..0, solution.warnings);
+        Ok(contact)
+    }
+}
+
+/// Means of the numbers of `records`, between surfaces of this `roughness`.
+fn means(records: &[StepRecord], roughness: RoughnessNumbers) -> Numbers {
+    let mean = |value: fn(&StepRecord) -> f64| records.iter().map(value).sum::<f64>() / records.len() as f64;
+    let mean_central = mean(|record| record.film.mean_central);
+    let first = records.first();
+    Numbers {
+        film: FilmNumbers {
+            central: mean(|record| record.film.central),
+            minimum: mean(|record| record.film.minimum),
+            mean_central,
+            minimum_gap: mean(|record| record.film.minimum_gap),
+            lambda: roughness.lambda(mean_central),
+            formula_lambda: first.and_then(|record| record.film.formula_lambda),
+        },
+        pressure: PressureNumbers {
+            max: mean(|record| record.pressure.max),
+            central: mean(|record| record.pressure.central),
+            mean: mean(|record| record.pressure.mean),
+            load_outside: mean(|record| record.pressure.load_outside),
+        },
+        contact: ContactNumbers {
+            area_ratio: mean(|record| record.contact.area_ratio),
+            load_ratio: mean(|record| record.contact.load_ratio),
+            area: mean(|record| record.contact.area),
+            corrected_area_ratio: mean(|record| record.contact.corrected_area_ratio),
+            corrected_area: mean(|record| record.contact.corrected_area),
+            plastic_area: mean(|record| record.contact.plastic_area),
+            film_cutoff: first.map_or(0.0, |record| record.contact.film_cutoff),
+        },
+        friction: FrictionNumbers {
+            coefficient: mean(|record| record.friction.coefficient),
+            boundary: mean(|record| record.friction.boundary),
+            fluid: mean(|record| record.friction.fluid),
+        },
+        roughness,
+    }
+}
