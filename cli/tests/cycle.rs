@@ -47,7 +47,7 @@ fn init(folder: &Path, options: &[&str]) -> std::path::PathBuf {
     path
 }
 
-/// Flanks of type C: published tip radii and contact ratio, films by formula, flash temperature by Blok.
+/// Flanks of type C: published contact ratio, films by formula, flash temperature by Blok.
 #[test]
 fn fzg_flanks_have_films_by_formula_and_the_flash_temperature_of_blok() {
     let folder = tempfile::tempdir().unwrap();
@@ -66,7 +66,8 @@ fn fzg_flanks_have_films_by_formula_and_the_flash_temperature_of_blok() {
     let mut compared = 0;
     for (k, point) in points.iter().enumerate() {
         let film = number(point, "film_central") / number(point, "formula_film");
-        assert!(jumps(k) || (0.9..1.1).contains(&film), "film over formula {film} in contact {k}");
+        // The formula is 8 to 22 % off at these Moes parameters (docs/limits.md).
+        assert!(jumps(k) || (0.85..1.05).contains(&film), "film over formula {film} in contact {k}");
         compared += usize::from(!jumps(k));
         let (u1, u2) = (number(point, "ball_speed"), number(point, "disc_speed"));
         let (load, radius) = (number(point, "load"), number(point, "radius"));

@@ -114,6 +114,7 @@ class Scene:
         wear: Table
         track: Table
         schedule: Table
+        cycle: Table
         stress: Table
         solver: Table
 

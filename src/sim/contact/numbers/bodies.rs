@@ -39,7 +39,7 @@ impl RoughnessNumbers {
     }
 
     /// `film` over the composite roughness; `None` for smooth surfaces and an unknown film.
-    pub(super) fn lambda(&self, film: f64) -> Option<f64> {
+    pub(in crate::sim) fn lambda(&self, film: f64) -> Option<f64> {
         let lambda = film / self.composite_rq;
         lambda.is_finite().then_some(lambda)
     }
