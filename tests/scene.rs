@@ -14,7 +14,8 @@ use crate::common::scene_text::{assert_names, dry};
 
 /// What a scene file is, and the tables in the order of the pages.
 const FIRST_PAGE: &str = include_str!("../docs/scene.md");
-const TABLES: [&str; 5] = [
+const TABLES: [&str; 6] = [
+    include_str!("../docs/cycles.md"),
     include_str!("../docs/scene_contact.md"),
     include_str!("../docs/scene_bodies.md"),
     include_str!("../docs/scene_fluid.md"),
@@ -94,6 +95,8 @@ fn document_lists_every_key() {
         include_str!("../src/lubricant/improved_yasutomi.rs"),
         include_str!("../src/sim/scene/materials.rs"),
         include_str!("../src/sim/scene/schedule.rs"),
+        include_str!("../src/sim/scene/cycle.rs"),
+        include_str!("../src/sim/scene/motion.rs"),
         include_str!("../src/sim/scene/roughness.rs"),
         include_str!("../src/sim/scene/stress.rs"),
         include_str!("../src/sim/scene/tribofilm.rs"),

@@ -7,7 +7,7 @@ use crate::sim::error::SimError;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::squeeze_memory::mirror_rows;
 use crate::sim::scene::Motion;
-use crate::sim::scene::cycle::{CycleRow, CycleTable};
+use crate::sim::scene::cycle_table::{CycleRow, CycleTable};
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 
 /// Least entrainment speed over the largest one of the cycle.

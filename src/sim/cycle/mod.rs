@@ -13,7 +13,7 @@ use crate::sim::contact::warnings::Warning;
 use crate::sim::contact::{setup, strip};
 use crate::sim::error::SimError;
 use crate::sim::history::builder::SimBuilder;
-use crate::sim::scene::cycle::{CycleRow, CycleTable};
+use crate::sim::scene::cycle_table::{CycleRow, CycleTable};
 use crate::sim::scene::{Flash, GridSpec, InletSpec, RoughnessState, Scene};
 use crate::surface::{Fixed, Form};
 

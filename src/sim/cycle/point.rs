@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::sim::history::record::StepRecord;
-use crate::sim::scene::cycle::CycleRow;
+use crate::sim::scene::cycle_table::CycleRow;
 
 /// Results at one time of a cycle, in SI units; those of a line contact are per metre.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,7 +6,9 @@
 //!
 //! [`Scene::azam_2019`] is a complete example.
 
-pub(in crate::sim) mod cycle;
+mod cycle;
+mod cycle_file;
+pub(in crate::sim) mod cycle_table;
 mod elastic;
 #[cfg(feature = "serde")]
 mod explain;
