@@ -104,10 +104,12 @@ impl Path {
     fn share(&self, s: f64, sharing: Sharing) -> f64 {
         let [a, e] = self.ends;
         let [b, d] = [e - self.pitch, a + self.pitch];
-        let outer = match () {
-            () if s < b => (s - a) / (b - a),
-            () if s > d => (e - s) / (e - d),
-            () => return 1.0,
+        let outer = if s < b {
+            (s - a) / (b - a)
+        } else if s > d {
+            (e - s) / (e - d)
+        } else {
+            return 1.0;
         };
         match sharing {
             Sharing::Trapezoid => (1.0 + outer) / 3.0,

@@ -15,11 +15,10 @@ pub(super) fn machine(options: &Options, answers: &Answers) -> Result<Machine, B
     let frequency = number("--frequency", options.frequency)?;
     let speed = 0.5 * TAU * frequency * stroke;
     let times: Vec<f64> = (0..=ROWS).map(|k| f64::from(k) / f64::from(ROWS) / frequency).collect();
-    // The quarter turns are exact, so that the speed there is zero.
-    let cosine = |k: u32| match (4 * k) % (4 * ROWS) / ROWS {
-        1 if k % ROWS == ROWS / 4 => 0.0,
-        3 if k % ROWS == 3 * ROWS / 4 => 0.0,
-        _ => (TAU * f64::from(k % ROWS) / f64::from(ROWS)).cos(),
+    // The speed is exactly zero at the dead points.
+    let cosine = |k: u32| {
+        let is_dead_point = k % (ROWS / 2) == ROWS / 4;
+        if is_dead_point { 0.0 } else { (TAU * f64::from(k % ROWS) / f64::from(ROWS)).cos() }
     };
     let count = times.len();
     Ok(Machine {
