@@ -66,8 +66,7 @@ fn fzg_flanks_have_films_by_formula_and_the_flash_temperature_of_blok() {
     let mut compared = 0;
     for (k, point) in points.iter().enumerate() {
         let film = number(point, "film_central") / number(point, "formula_film");
-        // The formula is 8 to 22 % off at these Moes parameters (docs/limits.md).
-        assert!(jumps(k) || (0.85..1.05).contains(&film), "film over formula {film} in contact {k}");
+        assert!(jumps(k) || (0.9..1.1).contains(&film), "film over formula {film} in contact {k}");
         compared += usize::from(!jumps(k));
         let (u1, u2) = (number(point, "ball_speed"), number(point, "disc_speed"));
         let (load, radius) = (number(point, "load"), number(point, "radius"));
@@ -117,9 +116,11 @@ fn cam(lift: &Path) -> Vec<&str> {
 fn cam_by_asperity_inlets_balances_the_load_at_all_angles() {
     let folder = tempfile::tempdir().unwrap();
     let lift = lift(folder.path(), 73);
-    let path = init(folder.path(), &cam(&lift));
+    let slow: Vec<&str> =
+        cam(&lift).into_iter().map(|option| if option == "1000" { "60" } else { option }).collect();
+    let path = init(folder.path(), &slow);
     let scene = fs::read_to_string(&path).unwrap();
-    let (mut row, rate) = (0, TAU * 1000.0 / 60.0);
+    let (mut row, rate) = (0, TAU);
     let numbers = |key: &str| -> Vec<f64> {
         let list = scene.split(&format!("\n{key} = [")).last().unwrap().split(']').next().unwrap();
         list.split(',').filter_map(|cell| cell.trim().parse().ok()).collect()

@@ -166,8 +166,10 @@ impl Drive {
         }
         self.sim.operating_schedule = OperatingSchedule::constant(conditions);
         let record = self.sim.step_with_restart(time_step)?;
-        let formula = self.sim.contact.formulas.map_or(0.0, |formulas| formulas.map.central);
-        let scales = [self.sim.contact.hertz.pressure, formula];
+        let contact = &self.sim.contact;
+        let pressure = contact.hertz.pressure;
+        let density = contact.lubricant.as_ref().map_or(1.0, |oil| oil.density().ratio(pressure));
+        let scales = [pressure, contact.formulas.map_or(0.0, |formulas| formulas.map.central) / density];
         Ok(CyclePoint::of(row, self.table.turn, &record, scales))
     }
 

@@ -26,7 +26,8 @@ pub struct CyclePoint {
     pub bulk_temperature: f64,
     /// Hertz pressure of the smooth bodies \[Pa\].
     pub hertz_pressure: f64,
-    /// Central film of a smooth steady contact at this speed by the formula for all regimes \[m\].
+    /// Central film of a smooth steady contact at this speed by the formula for all regimes, over the relative density
+    /// of the oil at the Hertz pressure \[m\].
     pub formula_film: f64,
     /// Central film \[m\].
     pub film_central: f64,

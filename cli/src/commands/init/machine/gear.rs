@@ -76,7 +76,7 @@ impl Path {
         let requirement = "more than the sum of the base radii";
         output::require(cosine < 1.0, "--centre-distance", centre, requirement)?;
         // The tips are cut so that the clearance is kept.
-        let cut = shift[0] + shift[1] - (centre - reference) / module;
+        let cut = (shift[0] + shift[1] - (centre - reference) / module).max(0.0);
         let tip = [0, 1].map(|k| module * (0.5 * teeth[k] + 1.0 + shift[k] - cut));
         let base = teeth.map(|z| 0.5 * module * z * angle.cos());
         let line = centre * (1.0 - cosine * cosine).sqrt();
