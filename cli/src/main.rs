@@ -50,7 +50,7 @@ enum Command {
     /// Say what a scene models and what to expect of it, without solving
     Check(check::Options),
     /// Write a scene file from options, or from the answers to a few questions
-    Init(init::Options),
+    Init(Box<init::Options>),
     /// Explain a key of scenes or a warning
     Explain(explain::Options),
     /// Print the completion of this command for a shell

@@ -17,7 +17,7 @@ const LINES: usize = 25;
 /// Squeeze term from which on a quasi-static cycle is warned of.
 const LARGE_SQUEEZE: f64 = 0.1;
 
-/// The table [cycle] of the scene has the conditions over time or angle. Each contact is a line of SCENE_cycle.csv.
+/// The table [cycle] of the scene has the conditions over time or angle. Each contact is a line of `SCENE_cycle.csv`.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
