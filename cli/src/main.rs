@@ -17,7 +17,9 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::commands::{benchmark, check, completion, curve, cycle, explain, init, run, solve, surface, sweep};
+use crate::commands::{
+    benchmark, check, completion, curve, cycle, explain, init, run, solve, surface, sweep,
+};
 use crate::output::Outcome;
 
 /// Rough lubricated contacts that change as they rub.

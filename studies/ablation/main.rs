@@ -37,8 +37,10 @@ usage: cargo run --release -p studies --bin ablation -- [--quick] [--every N] [-
 ";
 const NONE: &str = "none";
 
+type Change = fn(&mut NewtonSettings);
+
 /// Changes of the settings with their names.
-const CHANGES: [(&str, fn(&mut NewtonSettings)); 15] = [
+const CHANGES: [(&str, Change); 15] = [
     ("no continuation", |s| s.least_film_ratio = f64::INFINITY),
     ("first_contact_film: 1 (no film homotopy)", |s| s.first_contact_film = 1.0),
     ("first_contact_film x 2", |s| s.first_contact_film *= 2.0),

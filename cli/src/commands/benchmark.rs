@@ -19,7 +19,7 @@ pub(crate) struct Options {
     /// List of cases: battery, corners, map, lines, thermal, references, or a file with tables [[case]]
     #[arg(long, value_name = "LIST", default_value = "battery")]
     cases: Vec<String>,
-    /// Solver, with settings if wanted: auto, "newton_krylov:halvings=1", "auto:face_mobility=wedge"
+    /// Solver, with settings if wanted: `auto`, `newton_krylov:halvings=1`, `auto:face_mobility=wedge`
     #[arg(long, value_name = "SOLVER", default_value = "auto")]
     solver: Vec<String>,
     /// Seed of the roughness of the lists

@@ -4,7 +4,7 @@ use crate::error::{InputError, escape};
 use crate::nearest::nearest;
 
 /// Pages with tables of keys.
-const PAGES: [(&str, &str); 7] = [
+const PAGES: [(&str, &str); 8] = [
     ("docs/scene_contact.md", include_str!("../../../docs/scene_contact.md")),
     ("docs/scene_bodies.md", include_str!("../../../docs/scene_bodies.md")),
     ("docs/scene_fluid.md", include_str!("../../../docs/scene_fluid.md")),
