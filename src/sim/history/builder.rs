@@ -387,7 +387,7 @@ impl SimBuilder {
     /// use stribeck::sim::{MixedLubricationSim, Scene};
     /// let mut scene = Scene::azam_2019(32);
     /// let builder = |scene: &Scene| MixedLubricationSim::builder(scene.clone());
-    /// assert_eq!(builder(&scene).check()?, scene.warnings());
+    /// assert!(builder(&scene).check()?.starts_with(&scene.warnings()));
     /// scene.track.radius_disc = Some(1e-6); // the track is shorter than the patch
     /// assert!(builder(&scene).check().is_err() && builder(&scene).check_contact().is_ok());
     /// # Ok::<(), stribeck::sim::SimError>(())

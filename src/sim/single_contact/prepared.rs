@@ -100,7 +100,7 @@ impl SimBuilder {
     /// use stribeck::sim::{MixedLubricationSim, Scene};
     /// let mut scene = Scene::azam_2019(32);
     /// let warnings = MixedLubricationSim::builder(scene.clone()).check_contact()?;
-    /// assert_eq!(warnings, scene.warnings());
+    /// assert!(warnings.starts_with(&scene.warnings()));
     /// scene.plastic.as_mut().unwrap().hardness = 1e6; // carries less than the load
     /// let builder = || MixedLubricationSim::builder(scene.clone());
     /// let [checked, solved] = [builder().check_contact().err(), builder().solve().err()]
