@@ -130,4 +130,5 @@ def _contestant(name: str | None, solver: Any) -> str | tuple[str, str, Any]:
         return solver
     law = _solver(solver)
     assert law is not None
-    return (name or getattr(solver, "__name__", type(solver).__name__), *law)
+    own = str(name or getattr(solver, "__name__", type(solver).__name__))
+    return (own, *law)
