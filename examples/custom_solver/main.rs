@@ -9,13 +9,13 @@ use stribeck::sim::{MixedLubricationSim, Scene, SimError};
 fn main() -> Result<(), SimError> {
     let mut scene = Scene::azam_2019(48);
     (scene.lubricant, scene.plastic) = (None, None);
-    println!("{:>9} {:>19} {:>21}", "residual", "own: convolutions", "crate: convolutions");
     let cases = vec![Case::new("dry contact", scene.clone())];
     let benchmark =
         Benchmark::new(cases).contestant(Contestant::named("dry")?).tolerances([1e-2, 1e-3, 1e-4]);
     let own = Contestant::new("steepest_descent", |_| Box::new(SteepestDescent));
     let results = benchmark.contestant(own).run()?;
     println!("{}", results.summary());
+    println!("{:>9} {:>19} {:>21}", "residual", "own: convolutions", "crate: convolutions");
     for tolerance in [1e-2, 1e-3, 1e-4] {
         scene.solver.tolerance = tolerance;
         let step = |builder: stribeck::sim::SimBuilder| builder.build()?.step(10.0);

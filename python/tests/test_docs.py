@@ -16,7 +16,7 @@ def test_the_page_runs_as_it_is_pasted(tmp_path: Path, monkeypatch: pytest.Monke
 
     matplotlib.use("Agg")
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.DOTALL)
-    assert len(blocks) == 11
+    assert len(blocks) == 12
     monkeypatch.chdir(tmp_path)
     # The files that the page speaks of.
     scene = stribeck.Scene.azam_2019(32)

@@ -322,4 +322,4 @@ def test_logger_says_each_solve_and_each_step(rough: stribeck.Scene, caplog: pyt
     with caplog.at_level("INFO", logger="stribeck"):
         stribeck.solve(rough)
         stribeck.Simulation(rough).run(2, 10.0)
-    assert [record.getMessage().split(":")[0] for record in caplog.records] == ["contact converged", "step 1 at 10 s", "step 2 at 20 s"]
+    assert [record.getMessage().split(":")[0] for record in caplog.records] == ["contact converged", "step 0 at 10 s", "step 1 at 20 s"]
