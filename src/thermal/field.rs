@@ -155,6 +155,8 @@ pub struct FilmTemperature {
     flash: FlashTemperature,
     /// Mean temperature across the film \[K\].
     mean: Vec<f64>,
+    /// Forward and reverse flow through each node.
+    flows: Vec<Streams>,
     /// Temperatures of the layers that move forward and of those that move backward \[K\].
     streams: [Vec<f64>; 2],
     /// Sign of the sliding of the second surface against the first.
@@ -202,6 +204,7 @@ impl FilmTemperature {
             solver: SectionSolver::new(properties.profile),
             flash: FlashTemperature::new(grid, bodies, speeds)?,
             mean: zeros(),
+            flows: vec![Streams { along: 0.0, back: 0.0 }; grid.len()],
             streams: [zeros(), zeros()],
             sliding_sign: if speeds[1] < speeds[0] { -1.0 } else { 1.0 },
             stress: zeros(),
@@ -304,7 +307,7 @@ impl FilmTemperature {
         InputError::require_positive("bulk_temperature", flow.bulk_temperature)
     }
 
-    /// Heat of pressure flow, heat of compression per temperature, and thermal resistance; independent of
+    /// Streams, heat of pressure flow, heat of compression per temperature, and thermal resistance; independent of
     /// temperature.
     fn find_other_heat(&mut self, flow: &FilmFlow<'_>) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
@@ -323,6 +326,7 @@ impl FilmTemperature {
             if k + nx < n {
                 self.drive(flow, [k, k + nx], flow.flows.north[k] / (rows_to_next(k / nx) * dy));
             }
+            self.flows[k] = flow.streams(k, nx);
             self.resistance[k] = flow.film_at(k) / self.properties.conductivity;
             let (before, after) = (k - usize::from(k % nx > 0), k + usize::from(k % nx + 1 < nx));
             let rise = (flow.pressure[after] - flow.pressure[before]) / (after - before) as f64;
@@ -341,15 +345,15 @@ impl FilmTemperature {
     /// Flow into node `k` along x by both streams \[m^2/s\], and its temperature \[K\].
     fn inflow(&self, flow: &FilmFlow<'_>, k: usize) -> (f64, f64) {
         let nx = self.grid.nx();
-        let own = flow.streams(k, nx);
+        let own = self.flows[k];
         let (along, upstream) = match k % nx {
             0 => (own.along, flow.bulk_temperature),
-            _ => (flow.streams(k - 1, nx).along, self.streams[0][k - 1]),
+            _ => (self.flows[k - 1].along, self.streams[0][k - 1]),
         };
         // Inflow from behind the box has the temperature of the outflow.
         let (back, downstream) = match k % nx + 1 {
             last if last == nx => (own.back, upstream),
-            _ => (flow.streams(k + 1, nx).back, self.streams[1][k + 1]),
+            _ => (self.flows[k + 1].back, self.streams[1][k + 1]),
         };
         let both = along + back;
         let share = if both > 0.0 { along / both } else { 1.0 };

@@ -240,30 +240,40 @@ impl SectionSolver {
         heat: f64,
         shape: &mut [f64; POINTS],
     ) -> Trial {
-        let rule = &self.rule;
-        let mut trial = self.parabola(section, layers, heat);
         // fixed-point iteration: temperature, fluidity, heat profile
-        for _ in 0..MAX_PASSES {
-            let sheared = |i: usize| -> f64 {
-                rule.green[i].iter().zip(shape.iter()).map(|(green, g)| green * g).sum()
-            };
-            let uncarried = section.uncarried(rule, |i| heat * sheared(i));
-            let (temperature, carried) = section.close(rule, layers, heat, &uncarried);
-            let fluidity = temperature.map(|temperature| 1.0 / section.viscosity_at(temperature));
-            let all = rule.mean(&fluidity);
-            let stress = section.stress(1.0 / all);
-            trial = Trial { temperature, stress, flow_viscosity: self.flow_viscosity(&fluidity), carried };
-            let mut change = 0.0_f64;
-            for (share, fluidity) in shape.iter_mut().zip(&fluidity) {
-                let new = fluidity / all;
-                change = change.max((new - *share).abs());
-                *share = new;
-            }
+        let (mut trial, mut change) = self.pass(section, layers, heat, shape);
+        for _ in 1..MAX_PASSES {
             if change < SHAPE_TOLERANCE {
                 break;
             }
+            (trial, change) = self.pass(section, layers, heat, shape);
         }
         trial
+    }
+
+    /// Film state under the heat profile `shape`, which becomes that of this state; returns its change, too.
+    fn pass(
+        &self,
+        section: &FilmSection<'_>,
+        layers: &Layers,
+        heat: f64,
+        shape: &mut [f64; POINTS],
+    ) -> (Trial, f64) {
+        let rule = &self.rule;
+        let sheared =
+            |i: usize| -> f64 { rule.green[i].iter().zip(shape.iter()).map(|(green, g)| green * g).sum() };
+        let uncarried = section.uncarried(rule, |i| heat * sheared(i));
+        let (temperature, carried) = section.close(rule, layers, heat, &uncarried);
+        let fluidity = temperature.map(|temperature| 1.0 / section.viscosity_at(temperature));
+        let all = rule.mean(&fluidity);
+        let stress = section.stress(1.0 / all);
+        let mut change = 0.0_f64;
+        for (share, fluidity) in shape.iter_mut().zip(&fluidity) {
+            let new = fluidity / all;
+            change = change.max((new - *share).abs());
+            *share = new;
+        }
+        (Trial { temperature, stress, flow_viscosity: self.flow_viscosity(&fluidity), carried }, change)
     }
 
     /// Uniform viscosity that gives the same pressure flow.

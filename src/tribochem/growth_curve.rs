@@ -4,8 +4,8 @@ use std::io::Read;
 use std::path::Path;
 
 use super::fit_error::FitError;
+use super::measured_rows::{read_rows, read_text};
 use crate::error::InputError;
-use crate::text_file;
 
 /// A film measured at several times of a rubbing test that began with a bare surface.
 ///
@@ -54,32 +54,15 @@ impl GrowthCurve {
     /// [`FitError::Csv`] with the line of a row that is not two numbers; those of [`GrowthCurve::new`].
     pub fn from_csv(reader: impl Read) -> Result<Self, FitError> {
         let (mut times, mut thicknesses) = (Vec::new(), Vec::new());
-        let mut table = csv::ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .comment(Some(b'#'))
-            .trim(csv::Trim::All)
-            .from_reader(reader);
-        for (row, record) in table.records().enumerate() {
-            let record = record.map_err(|error| FitError::Csv {
-                line: error.position().map_or(0, csv::Position::line),
-                reason: error.to_string(),
-            })?;
-            let line = record.position().map_or(0, csv::Position::line);
-            let fields: Vec<&str> = record.iter().collect();
-            let numbers: Vec<Option<f64>> = fields.iter().map(|field| field.parse().ok()).collect();
-            match numbers.as_slice() {
-                [Some(time), Some(thickness)] => {
-                    times.push(*time);
-                    thicknesses.push(*thickness);
-                }
-                [None, None] if row == 0 => {}
-                _ => {
-                    let reason = format!("`{}` is not a time and a thickness", fields.join(","));
-                    return Err(FitError::Csv { line, reason });
-                }
+        read_rows(reader, "a time and a thickness", |row, numbers| match *numbers {
+            [Some(time), Some(thickness)] => {
+                times.push(time);
+                thicknesses.push(thickness);
+                true
             }
-        }
+            [None, None] => row == 0,
+            _ => false,
+        })?;
         Ok(Self::new(times, thicknesses)?)
     }
 
@@ -89,9 +72,7 @@ impl GrowthCurve {
     /// [`FitError::Io`] where the file cannot be read or has more than 16 MB; those of
     /// [`GrowthCurve::from_csv`].
     pub fn read_csv(path: impl AsRef<Path>) -> Result<Self, FitError> {
-        let path = path.as_ref();
-        let text = text_file::read(path).map_err(|source| FitError::Io { path: path.to_owned(), source })?;
-        Self::from_csv(text.as_bytes())
+        Self::from_csv(read_text(path.as_ref())?.as_bytes())
     }
 
     /// Times since the surface was bare \[s\].

@@ -5,9 +5,9 @@ use std::path::Path;
 
 use super::fit_error::FitError;
 use super::growth_curve::GrowthCurve;
+use super::measured_rows::{read_rows, read_text};
 use crate::error::InputError;
 use crate::surface_state::SurfaceState;
-use crate::text_file;
 
 /// A film measured at several times of a rubbing test that began with a bare surface, and the conditions from one
 /// measurement to the next.
@@ -56,40 +56,23 @@ impl MeasuredFilm {
     /// [`FitError::Csv`] with the line of a row that is not four or five numbers; a temperature, stress or pressure that
     /// is not positive; errors of [`GrowthCurve::new`].
     pub fn from_csv(reader: impl Read) -> Result<Vec<Self>, FitError> {
-        let mut table = csv::ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .comment(Some(b'#'))
-            .trim(csv::Trim::All)
-            .from_reader(reader);
         let mut rows: Vec<Vec<[f64; 5]>> = Vec::new();
-        for (k, record) in table.records().enumerate() {
-            let unread = |line, reason: String| FitError::Csv { line, reason };
-            let record = record.map_err(|error| {
-                unread(error.position().map_or(0, csv::Position::line), error.to_string())
-            })?;
-            let line = record.position().map_or(0, csv::Position::line);
-            let numbers: Vec<Option<f64>> = record.iter().map(|field| field.parse().ok()).collect();
-            let row = match numbers.as_slice() {
+        read_rows(reader, "time, temperature, stress and thickness", |k, numbers| {
+            let row = match *numbers {
                 [Some(time), Some(temperature), Some(stress), Some(film)] => {
-                    [*time, *temperature, *stress, *film, *stress]
+                    [time, temperature, stress, film, stress]
                 }
                 [Some(time), Some(temperature), Some(stress), Some(film), Some(pressure)] => {
-                    [*time, *temperature, *stress, *film, *pressure]
+                    [time, temperature, stress, film, pressure]
                 }
-                all if k == 0 && all.iter().all(Option::is_none) => continue,
-                _ => {
-                    let fields: Vec<&str> = record.iter().collect();
-                    let reason =
-                        format!("`{}` is not time, temperature, stress and thickness", fields.join(","));
-                    return Err(unread(line, reason));
-                }
+                _ => return k == 0 && numbers.iter().all(Option::is_none),
             };
             match rows.last_mut() {
                 Some(film) if film.last().is_some_and(|last| row[0] > last[0]) => film.push(row),
                 _ => rows.push(vec![row]),
             }
-        }
+            true
+        })?;
         if rows.is_empty() {
             return Err(FitError::TooFewPoints { points: 0, constants: 0 });
         }
@@ -116,9 +99,7 @@ impl MeasuredFilm {
     /// # Errors
     /// [`FitError::Io`] if the file cannot be read or has more than 16 MB; errors of [`from_csv`](Self::from_csv).
     pub fn read_csv(path: impl AsRef<Path>) -> Result<Vec<Self>, FitError> {
-        let path = path.as_ref();
-        let text = text_file::read(path).map_err(|source| FitError::Io { path: path.to_owned(), source })?;
-        Self::from_csv(text.as_bytes())
+        Self::from_csv(read_text(path.as_ref())?.as_bytes())
     }
 
     /// Times since the surface was bare \[s\].

@@ -30,6 +30,8 @@ mod heat_partition;
 mod integrate;
 #[cfg(feature = "fit")]
 mod measured_film;
+#[cfg(feature = "fit")]
+mod measured_rows;
 mod moving_source;
 mod proportional_removal;
 mod stress_activated;

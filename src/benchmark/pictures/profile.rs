@@ -6,7 +6,7 @@ use crate::benchmark::row::Row;
 
 /// Largest factor that is shown.
 const LARGEST_FACTOR: f64 = 100.0;
-/// Least time of a solve that is told apart \[s\].
+/// Shortest time of a solve in a profile \[s\]; shorter ones count as equal.
 const LEAST_SECONDS: f64 = 1e-6;
 /// Cost of a run.
 type Cost = fn(&Row) -> f64;

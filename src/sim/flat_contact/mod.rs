@@ -14,7 +14,7 @@ use crate::reynolds::StoppingRule;
 use crate::sim::contact::setup;
 use crate::sim::contact::warnings::Warning;
 use crate::sim::error::SimError;
-use crate::sim::scene::{BODIES, Roughness, RoughnessPair, read_tables};
+use crate::sim::scene::{BODIES, RoughnessPair, read_tables};
 use crate::text_file;
 
 /// Memory of a solve per node, with its coarser grids \[byte\].
@@ -149,11 +149,7 @@ impl FlatContact {
             return Ok(None);
         }
         let mut contact = Self::from_toml(&text)?;
-        for roughness in [&mut contact.roughness.ball, &mut contact.roughness.disc] {
-            if let Roughness::File(file) = roughness {
-                file.path = path.parent().unwrap_or(Path::new("")).join(&file.path);
-            }
-        }
+        contact.roughness.locate_files(path.parent().unwrap_or(Path::new("")));
         Ok(Some(contact))
     }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 use serde::de::DeserializeOwned;
 use toml::de::DeTable;
 
-use super::{Roughness, Scene, keys, missing};
+use super::{Scene, keys, missing};
 use crate::error::escape;
 use crate::sim::error::SimError;
 use crate::text_file;
@@ -45,11 +45,7 @@ impl Scene {
         let text = text_file::read(path).map_err(|source| SimError::Io { path: path.to_owned(), source })?;
         let mut scene = Self::from_toml(&text)?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        for roughness in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
-            if let Roughness::File(file) = roughness {
-                file.path = folder.join(&file.path);
-            }
-        }
+        scene.roughness.locate_files(folder);
         scene.schedule.locate_tables(folder);
         if let Some(table) = scene.cycle.as_mut().and_then(|cycle| cycle.table.as_mut()) {
             *table = folder.join(&table);

@@ -1,5 +1,7 @@
 //! Roughness of the two bodies.
 
+#[cfg(feature = "serde")]
+use std::path::Path;
 use std::path::PathBuf;
 
 use crate::surface::{Autocorrelation, GrooveDirection, RandomShape, RandomSurface, RoughnessSpec, Texture};
@@ -16,6 +18,18 @@ pub struct RoughnessPair {
     pub ball: Roughness,
     /// The disc, body 1.
     pub disc: Roughness,
+}
+
+#[cfg(feature = "serde")]
+impl RoughnessPair {
+    /// Makes paths of files relative to `folder`.
+    pub(in crate::sim) fn locate_files(&mut self, folder: &Path) {
+        for roughness in [&mut self.ball, &mut self.disc] {
+            if let Roughness::File(file) = roughness {
+                file.path = folder.join(&file.path);
+            }
+        }
+    }
 }
 
 /// Roughness of one body.
