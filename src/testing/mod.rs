@@ -16,7 +16,8 @@
 //! | [`roughness_motion`] | fractions within a column, offsets by arguments alone, constant offset of fixed bodies |
 //! | [`contact_solver`] | a smooth contact: load, bounds, residuals, restart; invalid input rejected |
 //!
-//! Strategies for proptest: [`scenes`], [`absurd_scenes`] and [`pressures`].
+//! Strategies for proptest: [`scenes`], [`absurd_scenes`] and [`pressures`]. [`StencilLu`] gives the sparse
+//! factorization of Newton's preconditioner to comparisons.
 
 mod absurd;
 mod boundary_friction;
@@ -26,6 +27,7 @@ mod film_growth;
 mod fluid;
 mod motion;
 mod plasticity;
+mod stencil_lu;
 mod strategies;
 mod wear;
 
@@ -39,6 +41,7 @@ pub use film_growth::film_growth_law;
 pub use fluid::{density_law, viscosity_law};
 pub use motion::roughness_motion;
 pub use plasticity::plasticity_model;
+pub use stencil_lu::StencilLu;
 pub use strategies::{pressures, scenes};
 use thiserror::Error;
 pub use wear::wear_law;

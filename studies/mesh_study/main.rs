@@ -1,48 +1,45 @@
-//! What of a rough mixed contact converges with the mesh: area ratio, load ratio, mean film and friction of
-//! the rough reference scene on the same band-limited surface from 64 to 512 cells along each side, over the
-//! film at which solids touch and over the speed, for both definitions of contact and both pressure flows.
+//! Convergence of rough mixed contacts with the mesh: area ratio, load ratio, mean film and friction.
 //!
 //! ```text
-//! cargo run --release -p studies --bin mesh_study                   # up to 512 x 512 cells
-//! cargo run --release -p studies --bin mesh_study -- --finest 1024  # one more
+//! cargo run --release -p studies --bin mesh_study                   # the reference scene on up to 256 x 256 cells
+//! cargo run --release -p studies --bin mesh_study -- --finest 512   # one more
 //! cargo run --release -p studies --bin mesh_study -- --quick        # coarse grids alone
-//! cargo run --release -p studies --bin mesh_study -- --reference    # the limits of small contacts
+//! cargo run --release -p studies --bin mesh_study -- --reference    # limits of small contacts
 //! ```
 //!
-//! The surfaces are generated on the coarsest grid and brought to the others by their Fourier series.
-//! Contacts that are in the table already are not solved again: a run that was stopped goes on, and a finer
-//! grid adds to what is there.
+//! Contacts that the table in the output folder holds are not solved again.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
 #[path = "../../examples/command/mod.rs"]
 mod command;
-mod contact;
 mod figure;
-mod plan;
+mod large;
 mod reference;
-mod summary;
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use contact::Row;
 use lexopt::prelude::*;
+use stribeck::benchmark::{Benchmark, Budget, Case, Contestant, Quantity, Results};
 
 const USAGE: &str = "\
-usage: cargo run --release -p studies --bin mesh_study -- [--quick | --reference] [--finest CELLS] [--out DIR]
+usage: cargo run --release -p studies --bin mesh_study -- [--quick] [--reference] [--finest CELLS] [--out DIR]
 
-  --quick         grids of 32 and 64 cells alone
-  --reference     limits of the contact cut down to an eighth, by two discretisations
-  --finest CELLS  cells along each side of the finest grid, 64 to 1024 (default 512)
-  --out DIR       where tables and figures are (default target/mesh_study)
+  --quick         coarse grids alone
+  --reference     limits of the contact cut down to an eighth, by two discretizations
+  --finest CELLS  cells along each side of the finest grid (default 256; 512 with --reference)
+  --out DIR       folder of tables and figures (default target/mesh_study)
 ";
+/// Columns of the tables.
+const QUANTITIES: [Quantity; 4] =
+    [Quantity::AreaRatio, Quantity::LoadRatio, Quantity::MeanFilm, Quantity::Friction];
 
 struct Options {
     quick: bool,
     reference: bool,
-    finest: usize,
+    finest: Option<usize>,
     out: PathBuf,
 }
 
@@ -51,14 +48,14 @@ fn main() -> ExitCode {
 }
 
 fn options() -> Result<Option<Options>, lexopt::Error> {
-    let mut options =
-        Options { quick: false, reference: false, finest: 512, out: PathBuf::from("target/mesh_study") };
+    let out = PathBuf::from("target/mesh_study");
+    let mut options = Options { quick: false, reference: false, finest: None, out };
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         match argument {
             Long("quick") => options.quick = true,
             Long("reference") => options.reference = true,
-            Long("finest") => options.finest = parser.value()?.parse()?,
+            Long("finest") => options.finest = Some(parser.value()?.parse()?),
             Long("out") => options.out = PathBuf::from(parser.value()?),
             Long("help") | Short('h') => return Ok(None),
             other => return Err(other.unexpected()),
@@ -68,53 +65,33 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    let folder = &options.out;
-    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    if options.reference {
-        return reference::run(folder, options.finest);
-    }
-    let table = folder.join("mixed.csv");
-    let known = if table.exists() { read(&table)? } else { Vec::new() };
-    if options.finest < plan::CELLS[0] {
-        return Err(
-            format!("--finest {}: the coarsest grid has {} cells", options.finest, plan::CELLS[0]).into()
-        );
-    }
-    let plan = if options.quick { plan::quick() } else { plan::all(options.finest) };
-    let mut rows: Vec<Row> = Vec::with_capacity(plan.len());
-    for (k, job) in plan.iter().enumerate() {
-        let row = match known.iter().find(|row| row.job.key() == job.key()) {
-            Some(row) => row.clone(),
-            None => contact::solve(job, folder)?,
-        };
-        eprintln!("{} of {}: {} {}", k + 1, plan.len(), job.key(), row.status);
-        rows.push(row);
-        // What is known of contacts further down must outlive a stop.
-        let later = known.iter().filter(|row| plan[k + 1..].iter().any(|job| job.key() == row.job.key()));
-        write(&table, rows.iter().chain(later))?;
-    }
-    figure::draw(&rows, &folder.join("mixed.svg"))?;
-    print!("{}", summary::text(&rows)?);
-    println!("table and figure are in {}", folder.display());
+    std::fs::create_dir_all(&options.out)?;
+    let finest = |full| options.finest.unwrap_or(if options.quick { 32 } else { full });
+    let text = if options.reference {
+        reference::run(&options.out, finest(512))?
+    } else {
+        large::run(&options.out, finest(256))?
+    };
+    println!("{text}\ntables and figure are in {}", options.out.display());
     Ok(())
 }
 
-fn read(path: &Path) -> Result<Vec<Row>, Box<dyn Error>> {
-    let text = std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let mut lines = text.lines();
-    if lines.next() != Some(contact::COLUMNS) {
-        return Err(format!("{}: not a table of this example", path.display()).into());
-    }
-    lines
-        .map(|line| {
-            Row::parse(line).ok_or_else(|| format!("{}: cannot read `{line}`", path.display()).into())
-        })
-        .collect()
-}
-
-fn write<'a>(path: &Path, rows: impl Iterator<Item = &'a Row>) -> Result<(), Box<dyn Error>> {
-    let lines: Vec<String> =
-        std::iter::once(contact::COLUMNS.to_owned()).chain(rows.map(Row::line)).collect();
-    std::fs::write(path, lines.join("\n") + "\n")
-        .map_err(|error| format!("{}: {error}", path.display()).into())
+/// Solves `cases` on the meshes by the contestants, given by name and text; `path` holds the rows that are known.
+fn solve(
+    cases: Vec<Case>,
+    contestants: &[(&str, &str)],
+    meshes: impl IntoIterator<Item = usize>,
+    path: PathBuf,
+) -> Result<Results, Box<dyn Error>> {
+    let progress = |row: &stribeck::benchmark::Row, done: usize, count: usize| {
+        eprintln!(
+            "{done} of {count}: {}, {}, {} cells, {}",
+            row.case, row.contestant, row.cells, row.verdict
+        );
+    };
+    let benchmark = Benchmark::new(cases).meshes(meshes).file(path).budget(Budget::unlimited());
+    let contestants: Result<Vec<Contestant>, _> =
+        contestants.iter().map(|(name, text)| Ok(Contestant::named(text)?.with_name(*name))).collect();
+    let contestants: Vec<Contestant> = contestants.map_err(|error: stribeck::InputError| error)?;
+    Ok(benchmark.contestants(contestants).observe(progress).run()?)
 }
