@@ -164,7 +164,11 @@ def floats(values: Any) -> npt.NDArray[np.float64]:
 
 
 def array(field: str, values: Any) -> npt.NDArray[np.float64]:
-    """Numbers of the shape ``(ny, nx)``."""
+    """Numbers of the shape ``(ny, nx)``; of an xarray array by its dimensions ``y`` and ``x``."""
+    if hasattr(values, "dims") and hasattr(values, "transpose"):
+        if set(values.dims) != {"y", "x"}:
+            raise InputError(f"{field}: dimensions {tuple(values.dims)}, expected y and x", field=field, value=values.dims)
+        values = values.transpose("y", "x")
     try:
         found = floats(values)
     except (TypeError, ValueError) as error:

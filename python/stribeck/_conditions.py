@@ -42,10 +42,14 @@ def accepted(names: Iterable[str]) -> list[str]:
 
 def changed(scene: Scene, tables: Mapping[str, Any], now: float) -> Scene:
     """The scene under the conditions of ``tables`` from the time ``now`` [s] on."""
-    for name in tables:
+    replaced: dict[str, Any] = {}
+    for path, value in tables.items():
+        name, _, key = path.partition(".")
         if name not in _TABLES:
-            raise InputError(f"{name}: cannot change during a run; {', '.join(_TABLES)} can", field=name, value=tables[name])
-    replaced = dict(tables)
+            raise InputError(f"{path}: cannot change during a run; {', '.join(_TABLES)} can", field=path, value=value)
+        replaced[name] = {**(replaced.get(name) or {}), key: value} if key else value
+        if name != "load" and not isinstance(replaced[name], Mapping | None):
+            raise refused(name, value, f"a table, such as {name}={{...}}, or a key by its path")
     if "load" in replaced and not isinstance(replaced["load"], Mapping):
         replaced["load"] = {"force": replaced["load"]}
     schedule = dict(scene.to_dict().get("schedule", {}))

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import enum
 import functools
 import hashlib
 import numbers
+import pickle
 import platform
 import sys
 import types
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -20,24 +22,32 @@ _PLAIN = bool | int | float | complex | str | bytes | type(None) | type(...) | n
 _LONGEST = 80
 #: Objects within each other that are described.
 _DEPTH = 12
-#: Special methods that a law may compute with.
-_SPECIAL = {"__call__", "__getattr__", "__getattribute__", "__getitem__"}
+#: Special methods that no number depends on.
+_UNUSED = {"__init__", "__new__", "__post_init__", "__repr__", "__str__", "__eq__", "__hash__", "__reduce__", "__getstate__", "__setstate__", "__replace__", "__setattr__", "__delattr__"}
+#: Modules whose objects change as they are used: generators of random numbers.
+_MEMORY = ("random", "numpy.random")
 _PYTHON = ".".join(platform.python_version_tuple()[:2])
 
 
 def identity(law: Any) -> str:
     """The name of the law and, line by line, what it computes with: attributes, slots, defaults, closures, bound and partial arguments, the
-    byte code of its functions, and the functions and constants of the user's modules that they reach. Data under a name that begins with an
-    underscore is memory and no constant. An attribute ``identity`` of the law, a text or a method that returns one, stands in place of all this."""
+    byte code of its functions, and the functions and constants of the user's modules that they reach. An attribute whose name begins with an
+    underscore is memory and no constant, and so is a list, set or dictionary with such a name in a module or class. An attribute ``identity`` of the
+    law, a text or a method that returns one, stands in place of all this. Arrays, lists and dictionaries are described by their values."""
     own = getattr(law, "identity", None)
     if own is not None and not isinstance(law, type):
         text = own() if callable(own) else own
         if not isinstance(text, str):
             raise LawError(f"identity of the law: {text!r} is no text", field="identity", value=text)
         return text
+    if isinstance(law, _PLAIN | np.ndarray | list | tuple | Mapping) or not (callable(law) or _is_own(type(law))):
+        return f"{_name(type(law))}\n{_described(law, ())}"
     parts: dict[str, str] = {}
+    counts: dict[str, int] = {}
+    # parts of one name, two lambdas for example, are told apart by their order
     for name, text in _parts(law, set()):
-        parts.setdefault(name, text)
+        counts[name] = counts.get(name, 0) + 1
+        parts[name if counts[name] == 1 else f"{name} ({counts[name]})"] = text
     kind = law if isinstance(law, types.FunctionType) else type(law)
     return "\n".join([_name(kind), *(f"{name} = {_short(text)}" for name, text in parts.items())])
 
@@ -68,7 +78,7 @@ def _parts(law: Any, reached: set[int]) -> Iterator[tuple[str, str]]:
     """Names and descriptions of all that the law computes with; ``reached`` are functions and classes that are described."""
     if isinstance(law, functools.partial):
         for place, argument in [*enumerate(law.args), *sorted(law.keywords.items())]:
-            yield f"argument {place}", _described(argument, ())
+            yield from _reached(f"argument {place}", argument, reached)
         yield from _parts(law.func, reached)
     elif isinstance(law, types.MethodType):
         yield from _parts(law.__self__, reached)
@@ -80,9 +90,7 @@ def _parts(law: Any, reached: set[int]) -> Iterator[tuple[str, str]]:
         yield from _of_class(law, reached)
     else:
         for name, value in _attributes(law):
-            yield name, _described(value, ())
-            if isinstance(value, types.FunctionType | types.MethodType | functools.partial):
-                yield from ((f"{name}: {part}", text) for part, text in _parts(value, reached))
+            yield from _reached(name, value, reached)
         yield from _of_class(type(law), reached)
 
 
@@ -93,7 +101,7 @@ def _of_class(kind: type, reached: set[int]) -> Iterator[tuple[str, str]]:
             continue
         reached.add(id(base))
         for name, member in sorted(vars(base).items()):
-            if name.startswith("__") and name not in _SPECIAL:
+            if name in _UNUSED or (name.startswith("__") and not callable(member)):
                 continue
             if isinstance(member, types.MemberDescriptorType | types.GetSetDescriptorType):
                 continue
@@ -101,8 +109,8 @@ def _of_class(kind: type, reached: set[int]) -> Iterator[tuple[str, str]]:
             function = next((found for found in functions if isinstance(found, types.FunctionType)), None)
             if function is not None:
                 yield from _of_function(function, reached)
-            elif not name.startswith("_"):
-                yield f"{base.__qualname__}.{name}", _described(member, ())
+            elif not _is_memory(name, member):
+                yield from _reached(f"{base.__qualname__}.{name}", member, reached)
 
 
 def _of_function(function: types.FunctionType, reached: set[int]) -> Iterator[tuple[str, str]]:
@@ -131,21 +139,46 @@ def _of_function(function: types.FunctionType, reached: set[int]) -> Iterator[tu
 
 
 def _of_global(name: str, value: Any, reached: set[int]) -> Iterator[tuple[str, str]]:
-    if isinstance(value, types.FunctionType | type) or not name.rpartition(".")[2].startswith("_"):
+    if not _is_memory(name.rpartition(".")[2], value):
         yield from _reached(name, value, reached)
 
 
+def _is_memory(name: str, value: Any) -> bool:
+    """Whether a name of a module or class is one of memory."""
+    return name.startswith("_") and isinstance(value, list | set | dict)
+
+
 def _reached(name: str, value: Any, reached: set[int]) -> Iterator[tuple[str, str]]:
-    """Of a value that a function refers to."""
+    """Of a value that a law or a function refers to."""
+    value = getattr(value, "__wrapped__", value) if callable(value) and not isinstance(value, type) else value
     if isinstance(value, types.FunctionType | type):
         yield name, _name(value)
         if _is_own(value):
             yield from _parts(value, reached)
+    elif isinstance(value, types.MethodType | functools.partial):
+        yield name, _name(type(value))
+        yield from ((f"{name}: {part}", text) for part, text in _parts(value, reached))
     elif not isinstance(value, types.ModuleType):
         yield name, _described(value, ())
-        if _is_own(type(value)) and id(value) not in reached:
-            reached.add(id(value))
+        yield from _of_inner(value, reached, 0)
+
+
+def _of_inner(value: Any, reached: set[int], depth: int) -> Iterator[tuple[str, str]]:
+    """Of the classes of the objects in a value."""
+    if depth > _DEPTH or isinstance(value, _PLAIN | np.ndarray) or id(value) in reached:
+        return
+    inner: Iterable[Any] = ()
+    if isinstance(value, list | tuple | set | frozenset):
+        inner = value
+    elif isinstance(value, Mapping):
+        inner = value.values()
+    elif not callable(value) or _is_own(type(value)):
+        reached.add(id(value))
+        if _is_own(type(value)):
             yield from _of_class(type(value), reached)
+        inner = [part for _, part in _attributes(value)]
+    for part in inner:
+        yield from _of_inner(part, reached, depth + 1)
 
 
 def _names(code: types.CodeType) -> set[str]:
@@ -179,12 +212,21 @@ def _described(value: Any, within: tuple[int, ...]) -> str:
     if isinstance(value, types.CodeType):
         return f"code({_of_code(value)})"
     if isinstance(value, types.FunctionType | types.MethodType | functools.partial):
-        return _digest(repr(list(_parts(value, set(within)))).encode())
-    if isinstance(value, types.ModuleType | type) or hasattr(value, "__qualname__") or hasattr(value, "__name__"):
+        return _digest(repr(list(_parts(value, set(within) - {id(value)}))).encode())
+    if isinstance(value, types.ModuleType | type | types.BuiltinFunctionType | np.ufunc):
         return f"{getattr(value, '__module__', None)}.{getattr(value, '__qualname__', getattr(value, '__name__', None))}"
-    if type(value).__module__.partition(".")[0] in sys.stdlib_module_names - {"__main__"}:
-        return _name(type(value))
-    return f"{_name(type(value))}({', '.join(f'{name}={_described(part, within)}' for name, part in _attributes(value))})"
+    kind = type(value)
+    if isinstance(value, enum.Enum):
+        return f"{_name(kind)}.{value.name}={_described(value.value, within)}"
+    if callable(getattr(value, "__wrapped__", None)):
+        return f"{_name(kind)}({_described(value.__wrapped__, within)})"
+    attributes = list(_attributes(value))
+    if not _is_own(kind) and not kind.__module__.startswith(_MEMORY):
+        try:
+            return f"{_name(kind)} {_digest(pickle.dumps(value, protocol=4))}"
+        except Exception:  # noqa: BLE001
+            pass  # described by its attributes
+    return f"{_name(kind)}({', '.join(f'{name}={_described(part, within)}' for name, part in attributes)})"
 
 
 def _numbers(array: np.ndarray[Any, Any], within: tuple[int, ...]) -> str:

@@ -18,6 +18,7 @@ COLUMNS = dict(columns())
 #: Units of other names by their last part; names that are not here have none.
 _UNITS = {
     "angle": "rad",
+    "formula_alpha": "1/Pa",
     "attitude": "rad",
     "approach": "m",
     "area": "m^2",
@@ -28,12 +29,22 @@ _UNITS = {
     "edges_y": "m",
     "force": "N",
     "composite_rq": "m",
+    "conductivity": "W/(m K)",
+    "density_a": "1/Pa",
+    "density_b": "1/Pa",
+    "diffusivity": "m^2/s",
+    "film_cutoff": "m",
+    "film_hardness": "Pa",
     "friction_moving": "N",
     "friction_resting": "N",
     "half_width": "m",
+    "hardness": "Pa",
     "half_width_x": "m",
     "half_width_y": "m",
     "least_film": "m",
+    "length_x": "m",
+    "length_y": "m",
+    "limiting_shear_stress": "Pa",
     "mean_gap": "m",
     "mean_plastic_depth": "m",
     "mean_pressure": "Pa",
@@ -41,6 +52,8 @@ _UNITS = {
     "pressure": "Pa",
     "pressure_max": "Pa",
     "radius": "m",
+    "roelands_p0": "Pa",
+    "rq": "m",
     "seconds": "s",
     "side_flow": "m^3/s",
     "stiffness": "Pa/m",
@@ -97,11 +110,22 @@ def flat(numbers: Numbers, prefix: str = "") -> dict[str, Any]:
 
 def frame(columns: Mapping[str, Any]) -> Any:
     """A ``pandas.DataFrame`` with the units of its columns in ``attrs``."""
-    import pandas as pd  # type: ignore[import-untyped,unused-ignore]
-
+    try:
+        import pandas as pd  # type: ignore[import-untyped,unused-ignore]
+    except ImportError as error:
+        raise ImportError("to_pandas() needs pandas: pip install pandas") from error
     made = pd.DataFrame(dict(columns))
     made.attrs["units"] = {name: units(name) for name in made.columns}
     return made
+
+
+def xarray() -> Any:
+    """The package xarray."""
+    try:
+        import xarray as xr
+    except ImportError as error:
+        raise ImportError("to_xarray() needs xarray: pip install xarray") from error
+    return xr
 
 
 class Numbers(Mapping[str, Any]):
@@ -172,7 +196,7 @@ class Numbers(Mapping[str, Any]):
                 yield f"{prefix}{key}", value
 
     def _unit(self, name: str, value: Any) -> str:
-        if value is None:
+        if value is None or isinstance(value, str):
             return ""
         full = f"{self._path}{name}"
         return unit(full) if self._units is None else self._units.get(full, "")

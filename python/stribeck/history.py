@@ -6,7 +6,7 @@ import logging
 import math
 import os
 from collections.abc import Callable, Mapping
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -98,12 +98,14 @@ class Simulation(Kept):
         }.items():
             object.__setattr__(self, name, value)
 
-    def __setattr__(self, name: str, value: Any) -> None:
-        is_condition = name in CONDITIONS or hasattr(Simulation, name)
-        if type(self) is Simulation or is_condition:
-            words = "change(load=..., motion=...) sets conditions from now on" if is_condition else "it has no such attribute"
-            raise AttributeError(f"{name} of a simulation cannot be set; {words}")
-        object.__setattr__(self, name, value)
+    if not TYPE_CHECKING:  # attributes that cannot be set are found by type checkers
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            is_condition = name in CONDITIONS or hasattr(Simulation, name)
+            if type(self) is Simulation or is_condition:
+                words = "change(load=..., motion=...) sets conditions from now on" if is_condition else "it has no such attribute"
+                raise AttributeError(f"{name} of a simulation cannot be set; {words}")
+            object.__setattr__(self, name, value)
 
     @property
     def scene(self) -> Scene:

@@ -10,6 +10,7 @@ from ._arguments import path as _path, whole
 from ._conditions import accepted
 from ._held import Held
 from ._stribeck import Simulation as _Simulation
+from .errors import InputError
 from .records import History, Record
 from .scene import Scene
 
@@ -54,6 +55,8 @@ class Kept:
         keywords of the class. Raises :class:`~stribeck.CheckpointError` for the run of another scene or law,
         :class:`~stribeck.InputError` where another run writes into the folder."""
         place = _path("folder", folder)
+        if os.path.exists(os.path.join(place, "sweep.json")):
+            raise InputError(f"folder: {place} is that of a sweep; take another one", field="folder", value=place)
         simulation = cls(os.path.join(place, "scene.toml") if scene is None else scene, **given)
         simulation._raw.open_folder(place, whole("every", every))
         object.__setattr__(simulation, "_in_folder", True)

@@ -190,6 +190,9 @@ def curve(
         raise unknown("over", across, sweep.axes)
     chosen = _chosen(names)
     places, columns = sweep[across], [sweep[name] for name in chosen]
+    for name, column in zip([across, *chosen], [places, *columns], strict=True):
+        if column.dtype.kind not in "fiub":
+            raise refused("names" if name in chosen else "over", name, "a column of numbers")
     others = [key for key in sweep.axes if key != across]
     groups: dict[tuple[Any, ...], list[int]] = {}
     for k in range(len(sweep)):

@@ -9,7 +9,7 @@ from typing import Any, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._numbers import Table, flat, frame, units
+from ._numbers import Table, flat, frame, units, xarray
 from .errors import StribeckWarning, found, unknown
 
 __all__ = ["Point", "Sweep"]
@@ -98,7 +98,7 @@ class Sweep(Sequence[Point]):
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset``: a dimension an input of a product, ``point`` for zipped ones, with units as attributes."""
-        import xarray as xr
+        xr = xarray()
 
         columns = self.to_dict()
         shape = tuple(len(values) for values in self.axes.values()) if self._is_product else (len(self),)

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._numbers import COLUMNS, Numbers, Table, frame, table, units
+from ._numbers import COLUMNS, Numbers, Table, frame, table, units, xarray
 from ._typed import Contact, Errors, Film, Flow, Friction, Motion, Plastic, Pressure, Residual, Roughness, Tribofilm, Wear, Work
 from .errors import StribeckWarning, found, unknown
 
@@ -176,7 +176,7 @@ class History(Sequence[Record]):
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` over the steps, with ``time`` [s] as a coordinate and units as attributes."""
-        import xarray as xr
+        xr = xarray()
 
         columns = {name: ("step", values, {"units": units(name)}) for name, values in self.to_dict().items()}
         return xr.Dataset(columns).set_coords(["step", "time"])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -20,6 +20,9 @@ __all__ = ["Grid", "Scene"]
 
 #: Positions of columns and rows [m].
 Nodes = tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]
+
+#: A table, or the value of a key that is given by its path.
+Value = Mapping[str, Any] | Sequence[Any] | float | str | None
 
 #: Tables within each other that a scene never needs.
 _MAX_DEPTH = 16
@@ -122,7 +125,7 @@ class Scene:
         self,
         source: Scene | Mapping[str, Any] | str | os.PathLike[str] | None = None,
         /,
-        **tables: Mapping[str, Any] | None,
+        **tables: Value,
     ) -> None:
         if source is None:
             self._raw = _of_tables(tables)
@@ -150,15 +153,17 @@ class Scene:
         scene._raw = raw
         return scene
 
-    def replace(self, **tables: Mapping[str, Any] | None) -> Scene:
+    def replace(self, **tables: Value) -> Scene:
         """The same scene with other values: ``scene.replace(motion={"entrainment_speed": 0.2}, wear=None)``.
 
         Keys within a table are replaced one by one, and left out where the value is None. ``load``, ``grid``, a table with a ``kind`` and one
-        with another ``law`` are replaced as a whole. A key may be given by its path: ``scene.replace(**{"motion.entrainment_speed": 0.2})``.
+        with another ``law`` are replaced as a whole. A key may be given by its path: ``scene.replace(**{"motion.entrainment_speed": 0.2})``; one of
+        ``grid`` then leaves the others as they are, one of ``load`` stands in place of the others.
         """
         merged = self.to_dict()
         for name, value in tables.items():
-            merged = _merged(merged, _nested(name, value), ())
+            whole_tables = ("load",) if "." in name else ("load", "grid")
+            merged = _merged(merged, _nested(name, value), whole_tables)
         return type(self)(merged)
 
     def to_dict(self) -> dict[str, Any]:
@@ -298,19 +303,14 @@ def _nested(path: str, value: Any) -> dict[str, Any]:
     return nested
 
 
-def _merged(base: dict[str, Any], changes: Mapping[str, Any], path: tuple[str, ...]) -> dict[str, Any]:
+def _merged(base: dict[str, Any], changes: Mapping[str, Any], whole_tables: tuple[str, ...]) -> dict[str, Any]:
     merged = dict(base)
     for key, new in changes.items():
         old = merged.get(key)
         if not isinstance(new, Mapping):
             merged[key] = new
-        elif (
-            not isinstance(old, dict)
-            or "kind" in new
-            or ("law" in new and new["law"] != old.get("law"))
-            or (not path and key in ("load", "grid"))
-        ):
+        elif not isinstance(old, dict) or "kind" in new or ("law" in new and new["law"] != old.get("law")) or key in whole_tables:
             merged[key] = _plain(new)
         else:
-            merged[key] = _merged(old, new, (*path, key))
+            merged[key] = _merged(old, new, ())
     return merged

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from ._arguments import Quantity, instance, named, number, optional_heights, path as _path, refused, text, writing
 from ._held import held
-from ._numbers import Fields, Numbers, Table, flat, frame, units
+from ._numbers import Fields, Numbers, Table, flat, frame, units, xarray
 from ._solved import Report, Solved
 from ._stribeck import solve as _solve
 from ._typed import Contact, Errors, Film, Flow, Friction, Hertz, Moes, Pressure, Roughness
@@ -115,7 +115,7 @@ class Solution(Solved):
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` of the fields over ``y`` and ``x`` [m], with units; its attributes are the numbers by their full names and the
         scene as the text of a file. ``to_netcdf`` and ``to_zarr`` write it as it is."""
-        import xarray as xr
+        xr = xarray()
 
         grid = self.grid
         fields = {name: (("y", "x"), field, {"units": units(name)}) for name, field in self.fields.items()}

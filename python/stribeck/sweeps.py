@@ -13,6 +13,7 @@ import numpy as np
 from ._arguments import function, path as _path, refused, whole, writing
 from ._executors import Result, results
 from ._identity import identity
+from ._numbers import Numbers, flat
 from .errors import InputError, StribeckError, unknown
 from .points import Point, Sweep
 from .scene import Scene, as_scene
@@ -58,7 +59,7 @@ def sweep(
         An executor of ``concurrent.futures``, such as threads (the default, one a processor), processes or ``mpi4py.futures``, a ``Client`` of
         dask, or a ``joblib.Parallel``. It stays open.
     folder
-        Points that are done are kept there, and not solved again by a later call.
+        Points that are done are kept there, and not solved again by a later call; those with an error are.
     shard
         ``(i, n)`` solves the points i, i + n, ... alone, for arrays of jobs with one folder.
     progress
@@ -74,7 +75,7 @@ def sweep(
     Raises
     ------
     InputError
-        Lists of different lengths to zip, or a folder of another sweep.
+        Lists of different lengths to zip, or a folder of another sweep or with other files.
     SceneError
         A key that the scene does not have.
 
@@ -115,6 +116,8 @@ def _points(scene: Scene, over: Mapping[str, Iterable[Any]], how: str) -> tuple[
         raise refused("over", over, "a dictionary of values by the keys of the scene")
     axes = {}
     for key, values in over.items():
+        if not isinstance(key, str):
+            raise refused("over", key, "keys of the scene by their paths, such as motion.entrainment_speed")
         if isinstance(values, str | bytes) or not isinstance(values, Iterable):
             raise refused(f"over[{key!r}]", values, "a list of values")
         axes[key] = [value.item() if isinstance(value, np.generic) else value for value in values]
@@ -165,11 +168,20 @@ def _solved(task: tuple[Scene, Mapping[str, Any], Measure | None, str | None]) -
         result = {"values": values, "status": values["status"], "error": None, "measured": None, "warnings": values.pop("warnings")}
         if measure is not None:
             try:
-                result["measured"] = _plain(measure(solution))
+                result["measured"] = _own_names(_plain(measure(solution)), values)
             except Exception as error:  # noqa: BLE001
                 result["error"] = f"measure: {type(error).__name__}: {error}"
     _keep(file, result)
     return result
+
+
+def _own_names(measured: Any, values: Mapping[str, Any]) -> Any:
+    """The measure, whose names are none of those of a solution."""
+    taken = {"status", "error", *flat(Numbers(values))}
+    twice = sorted(taken & measured.keys()) if isinstance(measured, dict) else []
+    if twice:
+        raise ValueError(f"{twice[0]!r} is a number of the solution; take another name")
+    return measured
 
 
 def _plain(measured: Any) -> Any:
@@ -199,7 +211,7 @@ def _keep(file: str | None, result: Result) -> None:
 
 
 def _kept(file: str | None) -> Result | None:
-    """The result in a file, if it holds one."""
+    """The result in a file, if it holds one without an error."""
     if file is None or not os.path.exists(file):
         return None
     try:
@@ -208,14 +220,15 @@ def _kept(file: str | None) -> Result | None:
     except ValueError:
         return None
     parts = {"values", "status", "error", "measured", "warnings"}
-    return result if isinstance(result, dict) and parts <= result.keys() else None
+    return result if isinstance(result, dict) and parts <= result.keys() and result["error"] is None else None
 
 
 def _prepared(
     place: str, scene: Scene, axes: Mapping[str, list[Any]], how: str, measure: Measure | None, given: Mapping[str, Any]
 ) -> str:
     """Makes the folder of a sweep, or refuses one that another sweep has made."""
-    laws = {name: value if isinstance(value, str) else identity(value) for name, value in given.items() if value is not None}
+    own_values = {name: value for name, value in given.items() if value is not None and name != "budget"}
+    laws = {name: value if isinstance(value, str) else identity(value) for name, value in own_values.items()}
     own = {
         "format": _FORMAT,
         "scene": scene.to_toml(),
@@ -237,5 +250,8 @@ def _prepared(
         if differ:
             raise InputError(f"folder: {place} holds another sweep: {', '.join(differ)} differ; take another folder", field="folder", value=place)
     else:
+        others = [name for name in sorted(os.listdir(place)) if not name.startswith(("point_", "sweep.json"))]
+        if others:
+            raise InputError(f"folder: {place} holds other files ({others[0]}, ...); take a new folder", field="folder", value=place)
         _keep(file, own)
     return place

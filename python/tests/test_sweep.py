@@ -178,3 +178,55 @@ def test_results_are_tidy(coarse: stribeck.Scene, tmp_path: Path) -> None:
     assert cube["film.central"].sel({"load.force": 20.0}).shape == (5,) and cube["film.central"].attrs["units"] == "m"
     assert float(cube["film.central"].sel({"load.force": 20.0, "motion.entrainment_speed": 0.1})) == sweep[3].film.central
 
+
+def test_folder_tells_heights_apart(coarse: stribeck.Scene, tmp_path: Path) -> None:
+    over = {"load.force": [10.0]}
+    rough = 2e-8 * np.random.default_rng(0).normal(size=(16, 16))
+    stribeck.sweep(coarse, over, heights=np.zeros((16, 16)), folder=tmp_path)
+    with pytest.raises(stribeck.InputError, match="given differ"):
+        stribeck.sweep(coarse, over, heights=rough, folder=tmp_path)
+
+
+def test_points_with_an_error_are_solved_again(coarse: stribeck.Scene, tmp_path: Path) -> None:
+    missing = tmp_path / "calibration"
+
+    def measure(solution: stribeck.Solution) -> float:
+        return float(missing.read_text())
+
+    def call() -> stribeck.Sweep:
+        return stribeck.sweep(coarse, {"load.force": [10.0, 20.0]}, measure=measure, folder=tmp_path / "points", budget="1 min")
+
+    assert len(call().failed) == 2
+    missing.write_text("3.0")
+    assert not call().failed
+
+
+def test_folders_and_names_of_others_are_refused(coarse: stribeck.Scene, tmp_path: Path) -> None:
+    over = {"load.force": [10.0]}
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "notes.txt").write_text("mine")
+    with pytest.raises(stribeck.InputError, match="other files"):
+        stribeck.sweep(coarse, over, folder=tmp_path / "mine")
+    stribeck.sweep(coarse, over, folder=tmp_path / "points")
+    with pytest.raises(stribeck.InputError, match="that of a sweep"):
+        stribeck.Simulation.open(tmp_path / "points", coarse)
+    taken = stribeck.sweep(coarse, over, measure=lambda solution: {"film.central": 1.0})
+    assert "is a number of the solution" in str(taken[0].error)
+    with pytest.raises(stribeck.InputError, match="keys of the scene"):
+        stribeck.sweep(coarse, {3: [1]})  # type: ignore[dict-item]
+
+
+def test_meshes_are_swept_by_their_keys(coarse: stribeck.Scene) -> None:
+    sweep = stribeck.sweep(coarse, {"grid.nx": [16, 24], "grid.ny": [16, 24]}, how="zip")
+    assert [point["status"] for point in sweep] == ["converged", "converged"]
+    assert coarse.replace(**{"grid.nx": 24}).grid.shape == (16, 24)
+
+
+def test_heights_of_xarray_follow_their_dimensions(coarse: stribeck.Scene) -> None:
+    xr = pytest.importorskip("xarray")
+    heights = 2e-8 * np.random.default_rng(0).normal(size=(16, 16))
+    film = stribeck.solve(coarse, heights=heights).film.central
+    across = xr.DataArray(heights, dims=("y", "x")).transpose("x", "y")
+    assert stribeck.solve(coarse, heights=across).film.central == film
+    with pytest.raises(stribeck.InputError, match="expected y and x"):
+        stribeck.solve(coarse, heights=xr.DataArray(heights, dims=("foo", "bar")))

@@ -55,6 +55,7 @@ import numpy as np
 import stribeck
 
 scene = stribeck.Scene.azam_2019(32).replace(motion={"entrainment_speed": "0.5 m/s"})
+faster = scene.replace(**{"motion.entrainment_speed": 2.0})
 solution = stribeck.solve(scene)
 central: float = solution.film.central
 status: str = solution.status
@@ -76,6 +77,7 @@ WRONG = [
     "simulation.conditions.no_such",
     "scene.no_such",
     "scene.hertz().no_such",
+    'simulation.load = "20 N"',
 ]
 
 
