@@ -130,10 +130,12 @@ impl Simulation {
         records.iter().map(|taken| taken.parts(py)).collect()
     }
 
-    /// Goes on with the run in the folder at `path`, or begins one there; a checkpoint after each `every` steps.
-    fn open_folder(&self, py: Python<'_>, path: PathBuf, every: u64) -> PyResult<()> {
+    /// Goes on with the run in the folder at `path`, of which the parts `accept` may differ, or begins one there; a checkpoint
+    /// after each `every` steps.
+    fn open_folder(&self, py: Python<'_>, path: PathBuf, every: u64, accept: Vec<String>) -> PyResult<()> {
+        let accept: Vec<&str> = accept.iter().map(String::as_str).collect();
         self.act(py, |run| {
-            let (folder, records) = RunFolder::resume(path, &mut run.sim, every)?;
+            let (folder, records) = RunFolder::resume_accepting(path, &mut run.sim, every, &accept)?;
             run.folder = Some(folder);
             run.records = records.into_iter().map(|record| Taken { record, warnings: Vec::new() }).collect();
             Ok::<_, SimError>(())

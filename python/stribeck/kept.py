@@ -47,18 +47,20 @@ class Kept:
         scene: Scene | Mapping[str, Any] | str | os.PathLike[str] | None = None,
         *,
         every: int = 10,
+        accept: Iterable[str] = (),
         **given: Any,
     ) -> _Kind:
         """A simulation that writes itself into ``folder``, the run folder of the command: ``scene.toml``, a line of ``history.csv`` a step, a
         ``checkpoint`` after each ``every`` steps, and ``fields.npz`` at :meth:`close`, which the end of a ``with`` block calls. Of a run that
         the folder holds it goes on, with its history, from its checkpoint; without ``scene`` the one in the folder is taken. ``given`` are
-        keywords of the class. Raises :class:`~stribeck.CheckpointError` for the run of another scene or law,
+        keywords of the class; ``accept`` names parts that may differ, as in :meth:`restore`. Raises :class:`~stribeck.CheckpointError` for the run
+        of another scene or law,
         :class:`~stribeck.InputError` where another run writes into the folder."""
         place = _path("folder", folder)
         if os.path.exists(os.path.join(place, "sweep.json")):
             raise InputError(f"folder: {place} is that of a sweep; take another one", field="folder", value=place)
         simulation = cls(os.path.join(place, "scene.toml") if scene is None else scene, **given)
-        simulation._raw.open_folder(place, whole("every", every))
+        simulation._raw.open_folder(place, whole("every", every), accepted(accept))
         object.__setattr__(simulation, "_in_folder", True)
         return simulation
 

@@ -260,6 +260,8 @@ def test_run_folder_goes_on_with_its_history(rough: stribeck.Scene, tmp_path: Pa
         np.testing.assert_array_equal(fields["disc_wear"], again.bodies[1].wear)
     with pytest.raises(stribeck.CheckpointError, match="scene.load"):
         stribeck.Simulation.open(folder, rough.replace(load={"force": 10.0}))
+    with stribeck.Simulation.open(folder, rough.replace(load={"force": 10.0}), accept=["scene.load"]) as lighter:
+        assert lighter.steps == 4
     with pytest.raises(stribeck.FileError):
         stribeck.Simulation.open(tmp_path / "none")
 

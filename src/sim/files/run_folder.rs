@@ -162,11 +162,25 @@ impl RunFolder {
         sim: &mut MixedLubricationSim,
         every: u64,
     ) -> Result<(Self, Vec<StepRecord>), SimError> {
+        Self::resume_accepting(path, sim, every, &[])
+    }
+
+    /// [`resume`](Self::resume) of a run of which the named `parts` may differ, as in
+    /// [`restore_accepting`](MixedLubricationSim::restore_accepting).
+    ///
+    /// # Errors
+    /// As of [`resume`](Self::resume).
+    pub fn resume_accepting(
+        path: impl Into<PathBuf>,
+        sim: &mut MixedLubricationSim,
+        every: u64,
+        parts: &[&str],
+    ) -> Result<(Self, Vec<StepRecord>), SimError> {
         let path = path.into();
         let lock = Self::lock(&path)?;
         let checkpoint = path.join("checkpoint");
-        match sim.restore(&checkpoint) {
-            Ok(()) => {}
+        match sim.restore_accepting(&checkpoint, parts) {
+            Ok(_) => {}
             Err(CheckpointError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
                 return Ok((Self::create_locked(path, lock, sim, every)?, Vec::new()));
             }
