@@ -106,6 +106,32 @@ fn constant_table_equals_the_steady_contact() {
     }
 }
 
+/// A contact that widens at a constant rate draws in oil as one whose entrainment is faster by this rate.
+#[test]
+fn film_of_a_growing_load_is_that_of_the_faster_moving_edge() {
+    let half_width = |load: f64| (8.0 * load * 10e-3 / (PI * 230e9)).sqrt();
+    let (first, last, growth) = (4e4, 1.6e5, 0.15);
+    let duration = (half_width(last) - half_width(first)) / growth;
+    let mut cycle = CycleSpec::default();
+    (cycle.once, cycle.steps) = (true, Some(120));
+    for k in 0..=40 {
+        let s = f64::from(k) / 40.0;
+        cycle.time.push(s * duration);
+        cycle.load.push(first * (1.0 + s).powi(2));
+    }
+    let mut scene = roller(256);
+    scene.cycle = Some(cycle);
+    let solution = solve(scene);
+    let film = solution.points.last().unwrap().film_central;
+    let steady = |speed: f64| {
+        let mut scene = roller(256);
+        (scene.load.force, scene.motion.entrainment_speed) = (Some(last), speed);
+        solve_contact(&scene).unwrap().film.central
+    };
+    assert!((film / steady(1.0 + growth) - 1.0).abs() < 0.02, "{film:e} {:e}", steady(1.0 + growth));
+    assert!(film / steady(1.0) > 1.07, "{film:e} {:e}", steady(1.0));
+}
+
 /// Contacts with another load and radius are those of scenes with these values.
 #[test]
 fn quasi_static_rows_equal_single_contacts() {

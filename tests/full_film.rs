@@ -249,7 +249,9 @@ fn meshes_without_a_positive_film_are_reported() {
             scene.solver.kind = kind;
             let solution = solve_contact(&scene).unwrap();
             assert_eq!(solution.report.status, Status::MeshTooCoarse, "M {m} by {kind:?}");
-            assert!(solution.report.residual.is_finite() && solution.film.central.is_finite());
+            assert!(solution.report.residual.is_finite());
+            let film = solution.film.central;
+            assert!(film >= 0.0 || film.is_nan(), "overlapping films are unknown: {film:e}");
             assert!(solution.report.require_converged().unwrap_err().to_string().contains("mesh_too_coarse"));
         }
     }

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use stribeck::sim::scene::{GridSpec, Roughness, RoughnessState};
 use stribeck::sim::{MixedLubricationSim, PassageSolution, Scene, StepRecord, solve_contact};
+use stribeck::surface::{GrooveDirection, Texture};
 
 const TOML: &str = "form = { kind = \"cylinder\", radius = 10e-3 }\nelastic.equivalent_modulus = 230e9\nload.hertz_pressure = 0.8e9\n\
      motion = { entrainment_speed = 3.0, slide_roll_ratio = 0.5, roughness = \"moving\" }\n[lubricant]\neta0 = 0.01\nalpha = 15e-9\n\
@@ -13,6 +14,12 @@ fn rough() -> Scene {
     let mut scene = Scene::from_toml(TOML).unwrap();
     scene.roughness.ball = Roughness::gaussian(0.05e-6, 80e-6, 1);
     scene
+}
+
+/// Grooves across the flow in the box of 0.7 mm.
+fn grooves(pitch: f64) -> Roughness {
+    let direction = GrooveDirection::AlongY;
+    Roughness::Texture(Texture::Grooves { width: 30e-6, depth: 0.05e-6, pitch, direction })
 }
 
 fn pass(scene: Scene) -> PassageSolution {
@@ -100,7 +107,8 @@ fn strip_of_equal_rows_has_the_passage_of_its_line() {
 #[test]
 fn scenes_that_cannot_move_are_refused_by_name() {
     type Change = fn(&mut Scene);
-    let cases: [(Change, &str); 6] = [
+    let cases: [(Change, &str); 7] = [
+        (|s| s.roughness.disc = grooves(49e-6), "roughness.disc.pitch = 4.9e-5"),
         (|s| s.lubricant = None, "dry"),
         (|s| s.grid = GridSpec::Accuracy { accuracy: 0.01 }, "[grid]"),
         (|s| s.solver.estimate = true, "solver.estimate"),
@@ -119,6 +127,9 @@ fn scenes_that_cannot_move_are_refused_by_name() {
     }
     let builder = || MixedLubricationSim::builder(rough());
     assert!(builder().check_contact().is_ok());
+    let mut whole = rough();
+    whole.roughness.disc = grooves(50e-6);
+    assert!(MixedLubricationSim::builder(whole).check_contact().is_ok());
     let error = builder().build().unwrap_err().to_string();
     assert!(error.contains("track.motion"), "{error}");
     let stray = "form = { kind = \"sphere\", radius = 1.0 }\nload.force = 1\nelastic.equivalent_modulus = 1e9\n\

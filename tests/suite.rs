@@ -58,6 +58,7 @@ mod schedules;
 mod semi_system;
 mod shear_thinning;
 mod sim;
+mod soft_contacts;
 mod spin;
 mod starvation;
 mod stated_bodies;

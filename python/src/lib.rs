@@ -5,6 +5,7 @@
 mod analytic;
 mod benchmark;
 mod convert;
+mod cycle;
 mod elastic;
 mod error;
 mod flat_contact;
@@ -46,6 +47,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(solution::solve, module)?)?;
     module.add_function(wrap_pyfunction!(benchmark::run_benchmark, module)?)?;
     module.add_function(wrap_pyfunction!(given_film::solve_film, module)?)?;
+    module.add_function(wrap_pyfunction!(cycle::solve_cycle, module)?)?;
     module.add_function(wrap_pyfunction!(flat_contact::solve_flat, module)?)?;
     module.add_function(wrap_pyfunction!(given_film::solve_bearing, module)?)?;
     module.add_function(wrap_pyfunction!(laws::check_visits, module)?)?;

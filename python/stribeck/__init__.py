@@ -15,6 +15,7 @@ from ._stribeck import __version__, set_num_threads as _set_num_threads
 from ._arguments import whole as _whole
 from .benchmarks import Benchmark, benchmark
 from .bodies import BodyStart, read_body
+from .cycles import Cycle, cycle
 from .errors import (
     BusyError,
     CheckpointError,
@@ -44,6 +45,7 @@ __all__ = [
     "BodyStart",
     "BusyError",
     "CheckpointError",
+    "Cycle",
     "FileError",
     "FlatContact",
     "GivenFilm",
@@ -71,6 +73,7 @@ __all__ = [
     "__version__",
     "analytic",
     "benchmark",
+    "cycle",
     "elastic",
     "flat_contact",
     "given_film",

@@ -66,8 +66,8 @@ impl MovingSource {
         let scale = 1.0 / (2.0 * PI * body.conductivity);
         let mut table = Vec::with_capacity((2 * nx - 1) * ny);
         if grid.is_strip() {
-            let periodic = PeriodicSource::new(grid, decay);
-            let rows: Vec<Vec<f64>> = (0..=ny / 2).map(|dj| periodic.row(dj, direction)).collect();
+            let periodic = PeriodicSource::new(grid, decay, direction);
+            let rows: Vec<Vec<f64>> = (0..=ny / 2).map(|dj| periodic.row(dj)).collect();
             for dj in 0..ny {
                 table.extend(rows[dj.min(ny - dj)].iter().map(|integral| scale * integral));
             }
@@ -95,38 +95,65 @@ const NEAR_PERIODS: i32 = 8;
 const HALF_LENGTH: f64 = 0.5;
 /// Distance along y, in half sides of a cell, beyond which four points represent the cell.
 const FAR: f64 = 16.0;
+/// Exponent of the decay beyond which heat does not arrive: `e^-40` is below rounding.
+const NO_HEAT: f64 = 40.0;
 
 /// Integrals over a cell of a strip and all of its images along y: near ones one by one, further ones as heat that is
 /// uniform along y.
 struct PeriodicSource {
-    /// Columns of the grid.
-    nx: usize,
     /// Half sides of a cell \[m\].
     half: [f64; 2],
     /// Period along y \[m\].
     period: f64,
     /// `|V| / (2 kappa)` \[1/m\].
     decay: f64,
+    /// Positions of the columns downstream of the cell \[m\].
+    columns: Vec<f64>,
+    /// Integrals of all columns over the whole length; zero where heat does not arrive from beyond the near images.
+    length: Vec<f64>,
 }
 
 impl PeriodicSource {
-    fn new(grid: &Grid, decay: f64) -> Self {
-        Self { nx: grid.nx(), half: [0.5 * grid.dx(), 0.5 * grid.dy()], period: grid.size_y(), decay }
+    /// For motion in this `direction` along x.
+    fn new(grid: &Grid, decay: f64, direction: f64) -> Self {
+        let (nx, half) = (grid.nx(), [0.5 * grid.dx(), 0.5 * grid.dy()]);
+        let position = |column: usize| direction * (column as f64 - (nx - 1) as f64) * grid.dx();
+        let columns = (0..2 * nx - 1).map(position).collect();
+        let mut source = Self { half, period: grid.size_y(), decay, columns, length: Vec::new() };
+        let reach = HALF_LENGTH.max(source.near());
+        let whole = |x: &f64| {
+            // The nearest heat beyond the images.
+            if source.is_cold(*x, source.near() - source.period) {
+                0.0
+            } else {
+                cell_integral(*x, 0.0, [half[0], reach], decay)
+            }
+        };
+        source.length = source.columns.iter().map(whole).collect();
+        source
     }
 
-    /// Integrals of all columns at an offset of `dj` rows, for motion in this `direction` along x.
-    fn row(&self, dj: usize, direction: f64) -> Vec<f64> {
-        let Self { nx, half: [half_x, half_y], period, decay } = *self;
+    /// Half of the length along y that the images cover \[m\].
+    fn near(&self) -> f64 {
+        (f64::from(NEAR_PERIODS) + 0.5) * self.period
+    }
+
+    /// Whether no heat arrives from a cell at `x` and at least the distance `y` along y.
+    fn is_cold(&self, x: f64, y: f64) -> bool {
+        let (x, y) = (x + self.half[0], (y - self.half[1]).max(0.0));
+        self.decay * lag(x, y, x.hypot(y)) > NO_HEAT
+    }
+
+    /// Integrals of all columns at an offset of `dj` rows.
+    fn row(&self, dj: usize) -> Vec<f64> {
+        let Self { half: [half_x, half_y], period, decay, .. } = *self;
         let y = 2.0 * half_y * dj as f64;
-        let near = (f64::from(NEAR_PERIODS) + 0.5) * period;
-        let per_length = 2.0 * half_y / period;
-        let columns = (0..2 * nx - 1).map(|column| {
-            let x = direction * (column as f64 - (nx - 1) as f64) * 2.0 * half_x;
+        let columns = self.columns.iter().zip(&self.length).map(|(&x, &length)| {
             let images: f64 =
                 (-NEAR_PERIODS..=NEAR_PERIODS).map(|q| self.image(x, y + f64::from(q) * period)).sum();
-            let [all, within] = [[0.0, HALF_LENGTH.max(near)], [y, near]]
-                .map(|[y, half]| cell_integral(x, y, [half_x, half], decay));
-            images + per_length * (all - within)
+            let beyond =
+                if length > 0.0 { length - cell_integral(x, y, [half_x, self.near()], decay) } else { 0.0 };
+            images + 2.0 * half_y / period * beyond
         });
         columns.collect()
     }
@@ -134,6 +161,9 @@ impl PeriodicSource {
     /// Integral over the cell at `(x, y)`; of a far one by Gauss' rule with two points along each axis.
     fn image(&self, x: f64, y: f64) -> f64 {
         let [half_x, half_y] = self.half;
+        if self.is_cold(x, y.abs()) {
+            return 0.0;
+        }
         if y.abs() < FAR * half_x.max(half_y) {
             return cell_integral(x, y, self.half, self.decay);
         }
@@ -248,6 +278,24 @@ mod tests {
                 sum /= (n * n) as f64;
                 let found = cell_integral(x, y, [0.5, 0.5], decay);
                 assert!((found - sum).abs() < 1e-4 * sum + 1e-9, "{decay} {x} {y}: {found} {sum}");
+            }
+        }
+    }
+
+    /// A strip sums the images of a cell along y: slow and fast bodies beside the plain sum of many images.
+    #[test]
+    fn strip_coefficients_are_sums_of_images() {
+        let grid = Grid::strip(8, 6, [-4e-5, 4e-5], [-3e-5, 3e-5]).unwrap();
+        for speed in [-0.02, 0.3, 4.0] {
+            let source = MovingSource::new(&grid, ThermalBody::STEEL, speed);
+            let decay = 0.5 * f64::abs(speed) / ThermalBody::STEEL.diffusivity;
+            for (di, dj) in [(0, 0), (5, 1), (-6, 2), (7, 2)] {
+                let x = f64::signum(speed) * di as f64 * 1e-5;
+                let images = (-8333..=8333_i32)
+                    .map(|q| cell_integral(x, dj as f64 * 1e-5 + f64::from(q) * 6e-5, [5e-6; 2], decay));
+                let expected = images.sum::<f64>() / (2.0 * PI * ThermalBody::STEEL.conductivity);
+                let found = source.at(di, dj);
+                assert!((found / expected - 1.0).abs() < 1e-6, "{speed} {di} {dj}: {found} {expected}");
             }
         }
     }

@@ -203,7 +203,7 @@ fn grids(finest: Grid) -> Vec<Grid> {
 }
 
 /// The grid with half of the nodes along both axes over the same box; `None` below [`SMALLEST`].
-fn coarser(grid: &Grid) -> Option<Grid> {
+pub(in crate::reynolds) fn coarser(grid: &Grid) -> Option<Grid> {
     if grid.nx().min(grid.ny()) < SMALLEST {
         return None;
     }

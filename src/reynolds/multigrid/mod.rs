@@ -22,6 +22,8 @@ mod transfer;
 use acceleration::Acceleration;
 pub(super) use full_film::expects_full_film;
 use hierarchy::Hierarchy;
+pub(super) use hierarchy::coarser;
+pub(super) use transfer::Transfer;
 
 use super::coupled::Coupled;
 use super::problem::LubricatedContact;

@@ -82,7 +82,7 @@ fn cubic(position: f64, n: usize) -> Stencil {
 
 /// Transfers between two grids over one box; the numbers of nodes need not be multiples of each other.
 #[derive(Debug, Clone)]
-pub(super) struct Transfer {
+pub(in crate::reynolds) struct Transfer {
     /// Stencils along rows.
     x: Axis,
     /// Stencils along columns.
@@ -93,7 +93,7 @@ pub(super) struct Transfer {
 
 impl Transfer {
     /// Transfers between grids with at least four nodes along each axis.
-    pub(super) fn new(fine: &Grid, coarse: &Grid) -> Self {
+    pub(in crate::reynolds) fn new(fine: &Grid, coarse: &Grid) -> Self {
         Self {
             x: Axis::new(fine.nx(), coarse.nx()),
             y: Axis::new(fine.ny(), coarse.ny()),
@@ -102,22 +102,22 @@ impl Transfer {
     }
 
     /// Averages over the coarse cells; conserves integrals.
-    pub(super) fn average(&mut self, fine: &[f64], coarse: &mut [f64]) {
+    pub(in crate::reynolds) fn average(&mut self, fine: &[f64], coarse: &mut [f64]) {
         apply(&self.x.average, &self.y.average, self.x.linear.len(), fine, &mut self.scratch, coarse);
     }
 
     /// Values at the coarse nodes; exact for parabolas.
-    pub(super) fn sample(&mut self, fine: &[f64], coarse: &mut [f64]) {
+    pub(in crate::reynolds) fn sample(&mut self, fine: &[f64], coarse: &mut [f64]) {
         apply(&self.x.sample, &self.y.sample, self.x.linear.len(), fine, &mut self.scratch, coarse);
     }
 
     /// Bilinear interpolation.
-    pub(super) fn interpolate(&mut self, coarse: &[f64], fine: &mut [f64]) {
+    pub(in crate::reynolds) fn interpolate(&mut self, coarse: &[f64], fine: &mut [f64]) {
         apply(&self.x.linear, &self.y.linear, self.x.average.len(), coarse, &mut self.scratch, fine);
     }
 
     /// Bicubic interpolation.
-    pub(super) fn interpolate_cubic(&mut self, coarse: &[f64], fine: &mut [f64]) {
+    pub(in crate::reynolds) fn interpolate_cubic(&mut self, coarse: &[f64], fine: &mut [f64]) {
         apply(&self.x.cubic, &self.y.cubic, self.x.average.len(), coarse, &mut self.scratch, fine);
     }
 }

@@ -1,15 +1,17 @@
-//! A solve: an attempt from the given state or the dry contact, and continuation where that stalls.
+//! A solve: an attempt from the given state, a coarser grid or the dry contact, and continuation where that stalls.
 
 use super::Workspace;
 use super::globalization::Globalization;
 use super::settings::START_TOLERANCE;
+use super::soft_start::is_soft;
 use crate::report::{Residuals, Status};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
 impl Workspace {
-    /// Solves from the given state if that is a warm start, else from the dry contact; where that stalls, by
+    /// Solves from the given state if that is a warm start, else from the dry contact, soft bodies from
+    /// coarser grids; where that stalls, by
     /// continuation in the contact film. Leaves the best state.
     pub(super) fn run(
         &mut self,
@@ -19,7 +21,11 @@ impl Workspace {
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.newton.record.clear();
         let is_cold = state.pressure.iter().all(|&p| p <= 0.0);
-        let mut status = self.attempt(!is_cold, problem, state, stop)?;
+        let mut status = if is_cold && is_soft(problem) {
+            self.soft_attempt(problem, state, stop)?
+        } else {
+            self.attempt(!is_cold, problem, state, stop)?
+        };
         if is_recoverable(status) && problem.box_load().is_some() && self.may_continue(problem, state) {
             status = self.continue_in_contact_film(problem, state, stop)?;
         }
@@ -99,7 +105,7 @@ impl Workspace {
 
     /// The dry contact under the film cut-off of the problem, to a gap error over the cells in a half-width: the
     /// same error of films is a larger one of the pressures of single nodes on finer meshes.
-    fn start_dry(
+    pub(super) fn start_dry(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,

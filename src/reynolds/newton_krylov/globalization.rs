@@ -84,6 +84,11 @@ impl Globalization {
         self.pseudo_transient = (0.0, 0.0);
     }
 
+    /// Sets the pseudo-transient term of the first step and its reduction.
+    pub(super) fn set_pseudo_transient(&mut self, pseudo_transient: (f64, f64)) {
+        self.pseudo_transient = pseudo_transient;
+    }
+
     /// Settings of continuation from the solution with another contact film: whole steps, as halved ones return
     /// to the same states where a few nodes cavitate and open in turn, and a pseudo-transient term that begins
     /// larger and falls half as fast.

@@ -28,7 +28,7 @@ pub struct FormulaFilm {
     pub moes: Moes,
     /// Central film of loaded steel contacts \[m\]: Hamrock and Dowson for a point contact, Dowson and Toyoda for a line
     /// contact. For an oil without pressure-viscosity effect that of Moes, for an elliptic soft contact that of Hamrock
-    /// and Dowson. Solvers use it as a scale.
+    /// and Dowson.
     pub central: f64,
     /// Regime, and the film by a formula for all regimes.
     pub map: FilmMap,

@@ -263,9 +263,9 @@ impl ContactModel {
         self.flow = before.flow;
     }
 
-    /// Central film of the smooth contact by formula; zero without lubricant \[m\].
+    /// Central film of the smooth contact by the formula of its regime; zero without lubricant \[m\].
     pub(in crate::sim) fn formula_film(&self) -> f64 {
-        self.formulas.map_or(0.0, |formulas| formulas.central)
+        self.formulas.map_or(0.0, |formulas| formulas.of_its_regime())
     }
 
     /// The contact problem with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`; its solver

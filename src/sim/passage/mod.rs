@@ -5,6 +5,7 @@
 //! contact, means are taken over the passage.
 
 mod mean_contact;
+mod pitches;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -218,6 +219,7 @@ impl SimBuilder {
         let mut sim = self.build()?;
         sim.takes_strips = true;
         let (grid, motion) = (sim.grid(), sim.scene().motion);
+        pitches::require_whole(sim.scene(), grid.size_x())?;
         let length = passage.unwrap_or(grid.size_x());
         InputError::require_positive("motion.passage", length)?;
         let fastest = motion.surface_speeds().map(f64::abs).into_iter().fold(0.0, f64::max);

@@ -3,7 +3,7 @@
 use super::{FrictionNumbers, RoughnessNumbers};
 use crate::error::InputError;
 use crate::metrics;
-use crate::reynolds::{ContactState, reaches_limit};
+use crate::reynolds::{ContactDefinition, ContactState, reaches_limit};
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::model::ContactModel;
 
@@ -39,7 +39,7 @@ pub struct FilmNumbers {
 }
 
 impl FilmNumbers {
-    /// Values of a solve that diverged.
+    /// Values of a solve that diverged or whose central films overlap.
     const UNKNOWN: Self = Self {
         central: f64::NAN,
         minimum: f64::NAN,
@@ -56,8 +56,12 @@ impl FilmNumbers {
         roughness: &RoughnessNumbers,
     ) -> Result<Self, InputError> {
         let mean_central = metrics::mean_central_film_in(&model.grid, &state.film, &model.hertz.ellipse())?;
+        let central = model.grid.interpolate(&state.film, 0.0, 0.0)?;
+        if model.contact == ContactDefinition::Hard && central < 0.0 {
+            return Ok(Self::UNKNOWN);
+        }
         Ok(Self {
-            central: model.grid.interpolate(&state.film, 0.0, 0.0)?,
+            central,
             minimum: metrics::minimum_film(&state.film, &state.pressure)?.unwrap_or(0.0),
             mean_central,
             minimum_gap: metrics::minimum_gap(&state.film)?,

@@ -1,0 +1,76 @@
+//! Soft and light contacts: convergence in few steps, films beside the formulas of soft bodies.
+
+use stribeck::SolverId;
+use stribeck::sim::scene::SolverKind;
+use stribeck::sim::{ContactSolution, Scene, solve_contact};
+
+/// A ball of `radius` \[m\] with the equivalent modulus \[Pa\] under a load \[N\] in an oil of viscosity \[Pa s\] and
+/// pressure-viscosity coefficient \[1/Pa\] at the mean speed \[m/s\]; the box is in half-widths.
+fn ball([radius, modulus, load, eta0, alpha, speed]: [f64; 6], n: usize) -> Scene {
+    let text = format!(
+        "[form]\nkind = \"sphere\"\nradius = {radius}\n[elastic]\nequivalent_modulus = {modulus}\n[load]\nforce = {load}\n\
+         [motion]\nentrainment_speed = {speed}\n[lubricant]\neta0 = {eta0}\nalpha = {alpha}\nroelands_z = 0.6\n\
+         [friction]\nboundary_coefficient = 0.1\n[grid]\nnx = {n}\nny = {n}\nx = [{:e}, {:e}]\ny = [{:e}, {:e}]\n",
+        -3.0 * half_width(radius, modulus, load),
+        2.0 * half_width(radius, modulus, load),
+        -2.5 * half_width(radius, modulus, load),
+        2.5 * half_width(radius, modulus, load),
+    );
+    Scene::from_toml(&text).unwrap()
+}
+
+fn half_width(radius: f64, modulus: f64, load: f64) -> f64 {
+    (1.5 * load * radius / modulus).cbrt()
+}
+
+/// Hamrock and Dowson's central film of soft circular contacts, `7.32 R (1 - 0.72 exp(-0.28)) U^0.64 W^-0.22`.
+fn soft_film([radius, modulus, load, eta0, _, speed]: [f64; 6]) -> f64 {
+    let (u, w) = (eta0 * speed / (modulus * radius), load / (modulus * radius * radius));
+    7.32 * radius * (1.0 - 0.72 * (-0.28_f64).exp()) * u.powf(0.64) * w.powf(-0.22)
+}
+
+const HIP: [f64; 6] = [0.8, 2e9, 1000.0, 5e-3, 1e-9, 0.02];
+const RUBBER: [f64; 6] = [0.01, 13e6, 5.0, 0.05, 1e-9, 0.05];
+const SOFT: [f64; 6] = [0.01, 10e6, 1.0, 0.01, 20e-9, 0.05];
+
+fn solve(scene: &Scene) -> ContactSolution {
+    let solution = solve_contact(scene).unwrap();
+    solution.report.require_converged().unwrap();
+    solution
+}
+
+/// Work by Newton's method alone, which takes over where multigrid does not converge.
+#[test]
+fn soft_contacts_converge_in_few_newton_steps() {
+    for (contact, cells) in [(HIP, 96), (RUBBER, 96), (SOFT, 96), (SOFT, 128)] {
+        let mut scene = ball(contact, cells);
+        scene.solver.kind = SolverKind::NewtonKrylov;
+        let solution = solve(&scene);
+        assert_eq!(solution.report.solver, SolverId::NewtonKrylov);
+        let work = solution.report.work;
+        assert!(work.iterations <= 12 && work.convolutions < 120.0, "{contact:?} {work:?}");
+    }
+}
+
+#[test]
+fn hip_joint_has_the_film_of_the_soft_formula() {
+    let film = solve(&ball(HIP, 128)).film.central;
+    assert!((film / soft_film(HIP) - 1.0).abs() < 0.02, "{film:e} {:e}", soft_film(HIP));
+}
+
+#[test]
+fn soft_film_on_96_cells_is_within_half_a_percent_of_192_cells() {
+    let [coarse, fine] = [96, 192].map(|n| solve(&ball(SOFT, n)).film.central);
+    assert!((coarse / fine - 1.0).abs() < 5e-3, "{coarse:e} {fine:e}");
+}
+
+#[test]
+fn overlapping_films_of_an_unsolved_contact_are_unknown() {
+    let mut scene = ball([0.8, 2e9, 2000.0, 5e-3, 1e-9, 0.005], 96);
+    scene.solver.kind = SolverKind::NewtonKrylov;
+    for steps in 1..12 {
+        scene.solver.max_iterations = steps;
+        let film = solve_contact(&scene).unwrap().film;
+        assert!(!(film.central < 0.0), "{} nm after {steps} steps", film.central * 1e9);
+    }
+}
