@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy.typing as npt
 from ._numbers import frame
 from ._stribeck import solve_cycle
 from .errors import StribeckWarning, found, say, unknown
-from .scene import Scene
+from .scene import Scene, as_scene
 
 __all__ = ["Cycle", "cycle"]
 
@@ -61,8 +62,8 @@ class Cycle:
         return frame(self._columns)
 
 
-def cycle(scene: Scene) -> Cycle:
-    """Solves the contacts of a ``scene`` with a table ``cycle``; warnings are issued. A contact that does not converge ends the cycle with
+def cycle(scene: Scene | Mapping[str, Any] | str | os.PathLike[str]) -> Cycle:
+    """Solves the contacts of a ``scene``, as :func:`~stribeck.solve` takes it, with a table ``cycle``; warnings are issued. A contact that does not converge ends the cycle with
     those before it: a warning, and the reason in ``ended_early``.
 
     Raises
@@ -70,7 +71,7 @@ def cycle(scene: Scene) -> Cycle:
     InputError
         For a table with rows that do not fit, with row, field and value.
     """
-    points, (of_all, warnings) = solve_cycle(scene._raw)
+    points, (of_all, warnings) = solve_cycle(as_scene(scene)._raw)
     say(found(warnings), 2)
     if of_all["ended_early"] is not None:
         say([StribeckWarning("cycle", None, f"ended after {len(points)} contacts: {of_all['ended_early']}", "")], 2)
