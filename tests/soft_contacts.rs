@@ -74,3 +74,29 @@ fn overlapping_films_of_an_unsolved_contact_are_unknown() {
         assert!(film >= 0.0 || film.is_nan(), "{} nm after {steps} steps", film * 1e9);
     }
 }
+
+/// Herrebrugh's least film of isoviscous elastic lines, `3.10 R U^0.6 W^-0.2` with `U = eta u / (E' R)`, `W = w / (E' R)`.
+#[test]
+fn rubber_line_has_the_least_film_of_the_soft_formula() {
+    for [radius, modulus, load, eta0, speed] in
+        [[0.01, 13e6, 500.0, 0.05, 0.05], [0.005, 5e6, 100.0, 0.01, 0.02]]
+    {
+        let half_width = (8.0 * load * radius / (std::f64::consts::PI * modulus)).sqrt();
+        let scene = Scene::from_toml(&format!(
+            "form = {{ kind = \"cylinder\", radius = {radius} }}\nelastic.equivalent_modulus = {modulus}\nload.force = {load}\n\
+             motion.entrainment_speed = {speed}\n[lubricant]\neta0 = {eta0}\nalpha = 1e-9\nroelands_z = 0.6\n[grid]\nnx = 256\n\
+             x = [{:e}, {:e}]\n",
+            -4.0 * half_width,
+            2.5 * half_width
+        ));
+        let solution = solve(&scene.unwrap());
+        let (u, w) = (eta0 * speed / (modulus * radius), load / (modulus * radius));
+        let expected = 3.10 * radius * u.powf(0.6) * w.powf(-0.2);
+        assert!(
+            (solution.film.minimum / expected - 1.0).abs() < 0.02,
+            "{:e} {expected:e}",
+            solution.film.minimum
+        );
+        assert!(solution.report.work.iterations <= 20, "{:?}", solution.report.work);
+    }
+}
