@@ -10,6 +10,7 @@ mod files;
 mod interrupt;
 mod output;
 mod picture;
+mod report;
 mod surface_numbers;
 
 use std::process::ExitCode;

@@ -56,6 +56,23 @@ pub(crate) struct Output {
     pub(crate) force: bool,
 }
 
+/// The report of a solve, curve, cycle or run.
+#[derive(clap::Args)]
+pub(crate) struct ReportFile {
+    /// Write one HTML file with scene, warnings, numbers and pictures, for a browser or the printer
+    #[arg(long, value_name = "OUT.html")]
+    pub(crate) report: Option<PathBuf>,
+}
+
+impl ReportFile {
+    /// Checks that the report can be written.
+    pub(crate) fn claim(&self, scene: &Path, force: bool) -> Result<(), String> {
+        let Some(path) = &self.report else { return Ok(()) };
+        keep_scene(scene, path)?;
+        files::claim(std::slice::from_ref(path), force, OTHER_NAME)
+    }
+}
+
 /// Ends of messages about files that exist.
 pub(crate) const OTHER_FOLDER: &str = "--out FOLDER writes elsewhere";
 pub(crate) const OTHER_NAME: &str = "another name writes elsewhere";
@@ -132,6 +149,12 @@ impl Held {
 
     pub(crate) fn hold_warnings(&self, warnings: &[Warning]) {
         warnings.iter().for_each(|warning| self.hold("warning", warning.to_string()));
+    }
+
+    /// The texts of the warnings that are still to be printed.
+    pub(crate) fn warnings(&self) -> Vec<String> {
+        let lines = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        lines.iter().filter(|(kind, _)| *kind == "warning").map(|(_, text)| text.clone()).collect()
     }
 
     /// Prints them above the `bar`, once.

@@ -1,15 +1,17 @@
 //! `stribeck cycle`: a contact over a cycle of load, speeds and radius.
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::json;
+use serde_json::{Value, json};
+use stribeck::Status;
 use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, SimError};
 
-use crate::output::{self, Held, Outcome, Output};
+use crate::output::{self, Held, Outcome, Output, ReportFile};
 use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, VERMILION, XScale};
+use crate::report::{self, ErrorOf, Number, Report};
 use crate::{files, interrupt};
 
 /// Most lines of the printed table.
@@ -23,12 +25,15 @@ pub(crate) struct Options {
     /// Scene file
     scene: PathBuf,
     #[command(flatten)]
+    report: ReportFile,
+    #[command(flatten)]
     output: Output,
 }
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
     let scene = output::load(&options.scene)?;
+    options.report.claim(&options.scene, options.output.force)?;
     let name = format!("{}_cycle", output::stem(&options.scene));
     let is_line = scene.form.is_line();
     let mut targets = vec![options.output.out.join(format!("{name}.csv"))];
@@ -57,20 +62,29 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         picture::write(&chart(&output::stem(&options.scene), &solution), &options.output.out, &name)?;
     }
     output::warn(&solution.warnings);
-    complain_of_squeeze(&solution);
+    let squeeze = squeeze_warning(&solution);
+    if let Some(text) = &squeeze {
+        output::complain("warning", text);
+    }
     let seconds = start.elapsed().as_secs_f64();
+    let numbers = json!({
+        "points": solution.points,
+        "quasi_static": solution.quasi_static,
+        "largest_step": solution.largest_step,
+        "closure": solution.closure,
+        "largest_squeeze_ratio": largest_squeeze(&solution).map(|point| point.squeeze_ratio),
+        "warnings": solution.warnings,
+        "ended_early": solution.ended_early,
+        "seconds": seconds,
+        "version": env!("CARGO_PKG_VERSION"),
+    });
+    if let Some(path) = &options.report.report {
+        let (solution, form) = (&solution, is_line);
+        write_report(options, (solution, squeeze), (&numbers, form), path)?;
+        targets.push(path.clone());
+    }
     if options.output.json {
-        output::print(&json!({
-            "points": solution.points,
-            "quasi_static": solution.quasi_static,
-            "largest_step": solution.largest_step,
-            "closure": solution.closure,
-            "largest_squeeze_ratio": largest_squeeze(&solution).map(|point| point.squeeze_ratio),
-            "warnings": solution.warnings,
-            "ended_early": solution.ended_early,
-            "seconds": seconds,
-            "version": env!("CARGO_PKG_VERSION"),
-        }))?;
+        output::print(&numbers)?;
     } else {
         output::print(&format!("{}\ntime       {seconds:.2} s", report(&solution, is_line)))?;
     }
@@ -91,24 +105,23 @@ fn largest_squeeze(solution: &CycleSolution) -> Option<&CyclePoint> {
     known.max_by(|a, b| a.squeeze_ratio.unwrap_or(0.0).total_cmp(&b.squeeze_ratio.unwrap_or(0.0)))
 }
 
-/// Warns of a quasi-static cycle whose films change within the passage of a half-width.
-fn complain_of_squeeze(solution: &CycleSolution) {
+/// The warning of a quasi-static cycle whose films change within the passage of a half-width.
+fn squeeze_warning(solution: &CycleSolution) -> Option<String> {
     if !solution.quasi_static {
-        return;
+        return None;
     }
     let large =
         solution.points.iter().filter(|point| point.squeeze_ratio.is_none_or(|ratio| ratio > LARGE_SQUEEZE));
     let count = large.count();
-    if let Some(point) = largest_squeeze(solution).filter(|_| count > 0) {
-        let text = format!(
+    largest_squeeze(solution).filter(|_| count > 0).map(|point| {
+        format!(
             "cycle.quasi_static: at {count} of {} rows the squeeze term is above {LARGE_SQUEEZE} of the entrainment, up to {:.2} at {}; \
              without quasi_static the cycle is solved in time",
             solution.points.len(),
             point.squeeze_ratio.unwrap_or(0.0),
             place(point)
-        );
-        output::complain("warning", &text);
-    }
+        )
+    })
 }
 
 /// Angle or time of a contact in words.
@@ -236,4 +249,44 @@ fn chart(name: &str, solution: &CycleSolution) -> Chart {
         x_scale: XScale::Linear,
         panels,
     }
+}
+
+/// Columns of the report.
+const COLUMNS: [(&str, &str, &str, f64); 12] = [
+    ("angle", "angle", "deg", 180.0 / std::f64::consts::PI),
+    ("time", "time", "ms", 1e3),
+    ("load", "load", "N", 1.0),
+    ("Hertz", "hertz_pressure", "GPa", 1e-9),
+    ("h formula", "formula_film", "nm", 1e9),
+    ("h", "film_central", "nm", 1e9),
+    ("h min", "film_minimum", "nm", 1e9),
+    ("p max", "pressure_max", "GPa", 1e-9),
+    ("on solids", "contact_load_ratio", "", 1.0),
+    ("friction", "friction_coefficient", "", 1.0),
+    ("power", "friction_power", "W", 1.0),
+    ("flash", "flash_rise", "K", 1.0),
+];
+
+fn write_report(
+    options: &Options,
+    (solution, squeeze): (&CycleSolution, Option<String>),
+    (numbers, is_line): (&Value, bool),
+    path: &Path,
+) -> Result<(), Box<dyn Error>> {
+    let mut report = Report::new(&options.scene, "cycle", Status::Converged)?;
+    report.warn(solution.warnings.iter().map(ToString::to_string).chain(squeeze));
+    if let Some(reason) = &solution.ended_early {
+        report.end_early(reason);
+    }
+    let columns = COLUMNS.map(|(name, key, unit, factor)| {
+        let unit = match (unit, is_line) {
+            ("N", true) => "N/m",
+            ("W", true) => "W/m",
+            _ => unit,
+        };
+        Number { name, key, unit, factor, error: ErrorOf::None }
+    });
+    report.table(&report::rows(numbers, "points", &columns, LINES));
+    report.chart(&chart(&output::stem(&options.scene), solution))?;
+    report.write(path)
 }

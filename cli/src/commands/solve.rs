@@ -9,12 +9,16 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use indicatif::ProgressBar;
-use stribeck::Grid;
+use serde_json::Value;
 use stribeck::sim::scene::{GridSpec, Scene};
-use stribeck::sim::{ContactSolution, FlatContact, MixedLubricationSim, RigidBearing, SimError, write_npz};
+use stribeck::sim::{
+    ContactSolution, FlatContact, MixedLubricationSim, RigidBearing, SimError, Warning, write_npz,
+};
+use stribeck::{Grid, Status};
 
 use super::contact_pictures::{Seen, maps, profile};
-use crate::output::{self, Held, Outcome, Output};
+use crate::output::{self, Held, Outcome, Output, ReportFile};
+use crate::report::{self, Fields, Report};
 use crate::{files, interrupt, picture};
 
 /// A scene with the table `given_film` is a rigid bearing: load, friction, side flow and power. A scene with `form.kind` flat is
@@ -33,6 +37,8 @@ pub(crate) struct Options {
     #[arg(long, value_name = "COUNT", allow_hyphen_values = true, value_parser = |text: &str| output::count::<usize>("--frames", text, 1..=10000))]
     frames: Option<usize>,
     #[command(flatten)]
+    report: ReportFile,
+    #[command(flatten)]
     output: Output,
 }
 
@@ -41,6 +47,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if let Some(path) = &options.fields {
         output::keep_scene(&options.scene, path)?;
     }
+    options.report.claim(&options.scene, options.output.force)?;
     if let Some(bearing) = RigidBearing::load(&options.scene)
         .map_err(|error| output::in_scene(&options.scene, output::plain(error).as_ref()))?
     {
@@ -97,6 +104,10 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let mut numbers = serde_json::to_value(&solution)?;
     numbers["seconds"] = seconds.into();
     numbers["oil"] = serde_json::to_value(&oil)?;
+    if let Some(path) = &options.report.report {
+        write_report(options, &solution, &numbers, path)?;
+        written.push(path.clone());
+    }
     output::warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
     if options.output.json {
         output::print(&numbers)?;
@@ -162,15 +173,7 @@ fn write_fields(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> Result<(
 }
 
 fn pictures(options: &Options, solution: &ContactSolution) -> Result<Vec<PathBuf>, Box<dyn Error>> {
-    let name = output::stem(&options.scene);
-    let seen = Seen {
-        title: format!("{name}, {}", solution.report.status),
-        grid: solution.grid,
-        hertz: solution.hertz,
-        state: &solution.state,
-        lubricated: solution.moes.is_some(),
-        tribofilm: None,
-    };
+    let (name, seen) = (output::stem(&options.scene), seen(options, solution));
     let mut written = Vec::new();
     let out = &options.output.out;
     if solution.grid.ny() > 1 {
@@ -178,4 +181,48 @@ fn pictures(options: &Options, solution: &ContactSolution) -> Result<Vec<PathBuf
     }
     written.extend(picture::write(&profile(&seen), out, &format!("{name}_profile"))?);
     Ok(written)
+}
+
+fn seen<'a>(options: &Options, solution: &'a ContactSolution) -> Seen<'a> {
+    Seen {
+        title: format!("{}, {}", output::stem(&options.scene), solution.report.status),
+        grid: solution.grid,
+        hertz: solution.hertz,
+        state: &solution.state,
+        lubricated: solution.moes.is_some(),
+        tribofilm: None,
+    }
+}
+
+fn write_report(
+    options: &Options,
+    solution: &ContactSolution,
+    numbers: &Value,
+    path: &Path,
+) -> Result<(), Box<dyn Error>> {
+    let (status, seen) = (solution.report.status, seen(options, solution));
+    let mut report = Report::new(&options.scene, "one contact", status)?;
+    report.warn(solution.warnings.iter().map(ToString::to_string));
+    report.table(&report::contact(numbers, solution.moes.is_some()));
+    report.chart(&profile(&seen))?;
+    if solution.grid.ny() > 1 {
+        let maps = maps(&seen);
+        report.maps(Some(&maps), &Fields::of(&maps, ""))?;
+    }
+    report.write(path)
+}
+
+/// Writes the report of a solve without a contact: all its numbers.
+fn write_plain_report(
+    options: &Options,
+    (command, status): (&str, Status),
+    warnings: &[Warning],
+    numbers: &Value,
+) -> Result<Option<PathBuf>, Box<dyn Error>> {
+    let Some(path) = &options.report.report else { return Ok(None) };
+    let mut report = Report::new(&options.scene, command, status)?;
+    report.warn(warnings.iter().map(ToString::to_string));
+    report.table(&report::all(numbers));
+    report.write(path)?;
+    Ok(Some(path.clone()))
 }

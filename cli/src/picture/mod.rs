@@ -55,28 +55,37 @@ pub(crate) fn write(
     folder: &Path,
     name: &str,
 ) -> Result<[PathBuf; 2], Box<dyn Error>> {
-    static FONT_IS_KNOWN: Once = Once::new();
-    let mut fonts = Ok(());
-    FONT_IS_KNOWN.call_once(|| fonts = register_font("sans-serif", FontStyle::Normal, FONT));
-    fonts.map_err(|_| "the font in the program is damaged")?;
-    let (files, size) = (files(folder, name), picture.size());
-    let [svg, png] = &files;
+    let files = files(folder, name);
+    crate::files::write(&files[0], svg(picture)?.as_bytes())?;
+    crate::files::write(&files[1], &png(picture)?)?;
+    Ok(files)
+}
+
+/// The text of the drawing.
+pub(crate) fn svg(picture: &impl Picture) -> Result<String, Box<dyn Error>> {
     let mut drawing = String::new();
-    whole(picture, SVGBackend::with_string(&mut drawing, size))?;
-    let (width, height) = size;
+    whole(picture, SVGBackend::with_string(&mut drawing, picture.size()))?;
+    Ok(drawing)
+}
+
+/// The bytes of the PNG file.
+pub(crate) fn png(picture: &impl Picture) -> Result<Vec<u8>, Box<dyn Error>> {
+    let (width, height) = picture.size();
     let mut pixels = vec![0; 3 * width as usize * height as usize];
-    whole(picture, BitMapBackend::with_buffer(&mut pixels, size))?;
+    whole(picture, BitMapBackend::with_buffer(&mut pixels, (width, height)))?;
     let mut encoded = Vec::new();
     PngEncoder::new(&mut encoded).write_image(&pixels, width, height, ColorType::Rgb8)?;
-    crate::files::write(svg, drawing.as_bytes())?;
-    crate::files::write(png, &encoded)?;
-    Ok(files)
+    Ok(encoded)
 }
 
 fn whole<B: DrawingBackend>(picture: &impl Picture, backend: B) -> Drawn
 where
     B::ErrorType: 'static,
 {
+    static FONT_IS_KNOWN: Once = Once::new();
+    let mut fonts = Ok(());
+    FONT_IS_KNOWN.call_once(|| fonts = register_font("sans-serif", FontStyle::Normal, FONT));
+    fonts.map_err(|_| "the font in the program is damaged")?;
     let canvas = backend.into_drawing_area();
     canvas.fill(&WHITE)?;
     picture.draw(&canvas)?;

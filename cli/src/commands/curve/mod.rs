@@ -3,6 +3,7 @@
 mod axis;
 mod chart;
 mod model;
+mod report;
 mod row;
 mod surfaces;
 
@@ -21,7 +22,7 @@ use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, SimError};
 use self::axis::Axis;
 use self::model::{ModelChoice, Plan, Starts, resolved_values};
 use self::row::{Columns, Row};
-use crate::output::{self, Held, Outcome, Output};
+use crate::output::{self, Held, Outcome, Output, ReportFile};
 use crate::{files, interrupt, picture};
 
 /// Number of values.
@@ -67,6 +68,8 @@ pub(crate) struct Options {
     )]
     resolve: Option<u32>,
     #[command(flatten)]
+    report: ReportFile,
+    #[command(flatten)]
     output: Output,
 }
 
@@ -93,6 +96,8 @@ struct Curve<'a> {
     made_folder: bool,
     /// Fields of the warnings that were printed.
     said: Vec<String>,
+    /// The warnings.
+    warnings: Vec<String>,
     /// All contacts so far were solved or have a status.
     is_complete: bool,
     /// The remark that a mixed contact is one sample is still to be made.
@@ -106,11 +111,13 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let values = axis::values(options, &scene, &start_conditions)?;
     let scenes =
         surfaces::scenes(&scene, options.seeds).map_err(|error| output::in_scene(&options.scene, &error))?;
+    options.report.claim(&options.scene, options.output.force)?;
     let name = format!("{}_{}", output::stem(&options.scene), options.over.file_ending());
     let solves = values.len() * scenes.len();
     let held = announced(options, &scene, &start_conditions, solves)
         .map_err(|error| output::in_scene(&options.scene, &error))?;
     let mut curve = Curve::begin(options, &scene, &name, solves)?;
+    curve.warnings = held.warnings();
     interrupt::listen("the curve ends here and keeps its finished contacts")?;
     let ended = curve.solve(&scenes, (start_conditions, &values), &held);
     curve.bar.finish_and_clear();
@@ -122,7 +129,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         }
     }
     let is_whole = ended?;
-    let written = curve.finish(&name, start)?;
+    let written = curve.finish(&name, is_whole, start)?;
     output::report_files(&written, options.output.json)?;
     if !is_whole {
         let (done, all, values) = (curve.rows.len(), values.len(), options.over.values());
@@ -196,6 +203,7 @@ impl<'a> Curve<'a> {
             starts,
             made_folder,
             said,
+            warnings: Vec::new(),
             remarks,
             is_complete,
         };
@@ -292,8 +300,7 @@ impl<'a> Curve<'a> {
                 Err(SimError::Interrupted) => return Ok(None),
                 Err(error @ SimError::BoxTooSmall(_)) => {
                     self.is_complete = false;
-                    let text = format!("{} is left out of the curve: {error}", self.columns.words(value));
-                    self.bar.suspend(|| output::complain("warning", &text));
+                    self.warn(format!("{} is left out of the curve: {error}", self.columns.words(value)));
                 }
                 Err(error) => return Err(output::in_scene(&self.options.scene, &error).into()),
             }
@@ -304,7 +311,10 @@ impl<'a> Curve<'a> {
 
     /// Prints and writes the `points` of one value, those of the curve or resolved ones beside it.
     fn take(&mut self, value: f64, points: Vec<Point>, is_beside: bool) -> Result<(), Box<dyn Error>> {
-        self.bar.suspend(|| self.said.extend(warn(&self.columns.words(value), &points, &self.said)));
+        for (field, text) in warnings(&self.columns.words(value), &points, &self.said) {
+            self.said.extend(field);
+            self.warn(text);
+        }
         let is_converged = |point: &&Point| point.solution.report.status == Status::Converged;
         let solutions: Vec<_> = points.iter().filter(is_converged).map(|point| &point.solution).collect();
         if let Some(row) = Row::of(value, &solutions) {
@@ -324,14 +334,20 @@ impl<'a> Curve<'a> {
                  --seeds 4 gives the mean of four and their standard deviation",
                 self.columns.words(value)
             );
-            self.bar.suspend(|| output::complain("warning", &text));
+            self.warn(text);
         }
         self.points.extend(points);
         Ok(())
     }
 
+    /// Prints a warning and keeps it for the report.
+    fn warn(&mut self, text: String) {
+        self.bar.suspend(|| output::complain("warning", &text));
+        self.warnings.push(text);
+    }
+
     /// Writes the pictures and prints the JSON; the files that were written.
-    fn finish(&self, name: &str, start: Instant) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    fn finish(&self, name: &str, is_whole: bool, start: Instant) -> Result<Vec<PathBuf>, Box<dyn Error>> {
         let mut written = Vec::new();
         if !self.rows.is_empty() {
             written.push(self.csv.0.clone());
@@ -344,8 +360,15 @@ impl<'a> Curve<'a> {
                 written.extend(picture::write(&chart, &self.options.output.out, name)?);
             }
         }
-        if self.options.output.json && !self.points.is_empty() {
-            output::print(&self.to_json(start.elapsed().as_secs_f64())?)?;
+        if !self.points.is_empty() {
+            let numbers = self.to_json(start.elapsed().as_secs_f64())?;
+            if let Some(path) = self.options.report.report.as_ref().filter(|_| !self.rows.is_empty()) {
+                report::write(self, (&numbers, is_whole), path)?;
+                written.push(path.clone());
+            }
+            if self.options.output.json {
+                output::print(&numbers)?;
+            }
         }
         Ok(written)
     }
@@ -376,21 +399,21 @@ fn is_resolved(point: &Point) -> bool {
     point.solution.model != Some(SolverModel::AsperityInlets)
 }
 
-/// Prints the warnings of the `points` of a value that were not `said` before, and the contacts that were not
-/// solved; the fields of the former.
-fn warn(value: &str, points: &[Point], said: &[String]) -> Vec<String> {
-    let mut new: Vec<String> = Vec::new();
+/// The warnings of the `points` of a value about fields that are not among the `said` ones, and about contacts that were
+/// not solved, which have no field.
+fn warnings(value: &str, points: &[Point], said: &[String]) -> Vec<(Option<String>, String)> {
+    let mut new: Vec<(Option<String>, String)> = Vec::new();
     for point in points {
         let status = point.solution.report.status;
         if status != Status::Converged {
             let which =
                 if points.len() > 1 { format!(", surface {},", point.surface) } else { String::new() };
-            output::complain("warning", &format!("{value}{which} is left out of the curve: {status}"));
+            new.push((None, format!("{value}{which} is left out of the curve: {status}")));
         }
         for warning in &point.solution.warnings {
-            if !said.contains(&warning.field) && !new.contains(&warning.field) {
-                output::complain("warning", &format!("at {value}: {warning}"));
-                new.push(warning.field.clone());
+            let field = &warning.field;
+            if !said.contains(field) && !new.iter().any(|(known, _)| known.as_ref() == Some(field)) {
+                new.push((Some(field.clone()), format!("at {value}: {warning}")));
             }
         }
     }

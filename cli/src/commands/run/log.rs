@@ -7,6 +7,8 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::Value;
+use stribeck::Status;
 use stribeck::reynolds::ContactState;
 use stribeck::sim::{ErrorEstimate, HistoryMeans, MixedLubricationSim, Observer, RunFolder, StepRecord};
 
@@ -14,6 +16,7 @@ use super::plan::Plan;
 use super::{Options, ROUNDING, picture_folder};
 use crate::commands::contact_pictures::{Seen, maps};
 use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, VERMILION, XScale};
+use crate::report::{self, Fields, Report};
 use crate::{files, interrupt, output};
 
 /// What is kept of a history while it runs.
@@ -26,6 +29,8 @@ pub(super) struct Log {
     pub(super) records: Vec<StepRecord>,
     last: Option<ContactState>,
     plot: bool,
+    /// Fields of the contacts so far, for the report.
+    fields: Option<Fields>,
 }
 
 impl Log {
@@ -67,7 +72,8 @@ impl Log {
         bar.set_position(sim.steps());
         bar.reset_eta();
         let csv = csv.transpose()?;
-        Ok(Self { bar, steps, folder, csv, failure: None, records, last, plot: options.plot })
+        let fields = options.report.report.as_ref().map(|_| Fields::many());
+        Ok(Self { bar, steps, folder, csv, failure: None, records, last, plot: options.plot, fields })
     }
 
     /// Means over the last tenth of the steps so far.
@@ -103,19 +109,37 @@ impl Log {
         let chart = history(&name, &self.records);
         let mut files = picture::write(&chart, out, &format!("{name}_history"))?.to_vec();
         if let Some(state) = self.last.as_ref().filter(|_| sim.grid().ny() > 1) {
-            let film = sim.scene().tribofilm.map(|_| sim.bodies()[1].tribofilm());
-            let time = self.records.last().map_or(0.0, |record| record.time);
-            let seen = Seen {
-                title: format!("{name} after {time:.0} s"),
-                grid: sim.grid(),
-                hertz: sim.hertz(),
-                state,
-                lubricated: sim.scene().is_lubricated(),
-                tribofilm: film,
-            };
+            let seen = seen(&name, sim, state, self.records.last());
             files.extend(picture::write(&maps(&seen), out, &format!("{name}_maps"))?);
         }
         Ok(files)
+    }
+
+    /// Writes the report, if one is asked for, with the `numbers` of the JSON object.
+    pub(super) fn write_report(
+        &self,
+        options: &Options,
+        sim: &MixedLubricationSim,
+        (numbers, ended_early): (&Value, Option<&str>),
+    ) -> Result<Option<PathBuf>, Box<dyn Error>> {
+        let (Some(path), Some(fields)) = (&options.report.report, &self.fields) else { return Ok(None) };
+        if self.records.is_empty() {
+            return Ok(None);
+        }
+        let mut report = Report::new(&options.scene, "history", Status::Converged)?;
+        report.warn(sim.warnings().iter().map(ToString::to_string));
+        if let Some(reason) = ended_early {
+            report.end_early(reason);
+        }
+        let name = output::stem(&options.scene);
+        report.table("<p>Means over the last tenth of the steps.</p>");
+        report.table(&report::contact(numbers, sim.scene().is_lubricated()));
+        report.chart(&history(&name, &self.records))?;
+        let seen = self.last.as_ref().map(|state| seen(&name, sim, state, self.records.last()));
+        let last = seen.as_ref().filter(|_| sim.grid().ny() > 1).map(maps);
+        report.maps(last.as_ref(), fields)?;
+        report.write(path)?;
+        Ok(Some(path.clone()))
     }
 }
 
@@ -130,7 +154,11 @@ impl Observer for Log {
             let _ = writeln!(io::stderr(), "{line}");
         }
         self.records.push(record.clone());
-        if self.plot {
+        if let Some(fields) = &mut self.fields {
+            let seen = seen("", sim, sim.state(), Some(record));
+            fields.keep(&maps(&seen), &seen.title);
+        }
+        if self.plot || self.fields.is_some() {
             self.last.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
         }
         if let Some((path, csv)) = &mut self.csv
@@ -142,6 +170,24 @@ impl Observer for Log {
         let flow =
             self.folder.as_mut().map_or(ControlFlow::Continue(()), |folder| folder.after_step(sim, record));
         if interrupt::is_requested() { ControlFlow::Break(()) } else { flow }
+    }
+}
+
+/// The contact of `sim` in the `state` after `record`.
+fn seen<'a>(
+    name: &str,
+    sim: &'a MixedLubricationSim,
+    state: &'a ContactState,
+    record: Option<&StepRecord>,
+) -> Seen<'a> {
+    let time = record.map_or(0.0, |record| record.time);
+    Seen {
+        title: format!("{name} after {time:.0} s").trim_start().to_owned(),
+        grid: sim.grid(),
+        hertz: sim.hertz(),
+        state,
+        lubricated: sim.scene().is_lubricated(),
+        tribofilm: sim.scene().tribofilm.map(|_| sim.bodies()[1].tribofilm()),
     }
 }
 

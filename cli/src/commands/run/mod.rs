@@ -13,7 +13,7 @@ use stribeck::units::Dimension;
 
 use self::log::Log;
 use self::plan::{Plan, plan};
-use crate::output::{self, Held, Outcome};
+use crate::output::{self, Held, Outcome, ReportFile};
 use crate::{files, interrupt, picture};
 
 /// Relative difference of times that rounding explains.
@@ -54,6 +54,8 @@ pub(crate) struct Options {
     /// Print one JSON object in SI units on standard output
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    report: ReportFile,
     /// Write pictures of the history and of the last contact as SVG and PNG
     #[arg(long)]
     plot: bool,
@@ -64,6 +66,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if let Some(path) = &options.csv {
         output::keep_scene(&options.scene, path)?;
     }
+    options.report.claim(&options.scene, options.force || options.resume)?;
     let scene = output::load(&options.scene)?;
     let (held, bar) = (Held::default(), ProgressBar::new(0));
     let (due, above) = (held.clone(), bar.clone());
@@ -86,7 +89,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if outcome.is_ok() {
         held.print(&log.bar);
     }
-    let files = log.finish(options, &sim)?;
+    let mut files = log.finish(options, &sim)?;
     output::warn(sim.warnings().iter().skip(known));
     let end = match outcome {
         Ok(_) if plan.end - sim.time() > ROUNDING * plan.time_step => Some(interrupted(options, &sim, &plan)),
@@ -102,12 +105,13 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if let Some(reason) = &end {
         output::complain("error", reason);
     }
+    let mut numbers = serde_json::to_value(log.means().numbers(&sim))?;
+    numbers["seconds"] = start.elapsed().as_secs_f64().into();
+    if let Some(reason) = &end {
+        numbers["ended_early"] = reason.as_str().into();
+    }
+    files.extend(log.write_report(options, &sim, (&numbers, end.as_deref()))?);
     if options.json && !(end.is_some() && log.records.is_empty()) {
-        let mut numbers = serde_json::to_value(log.means().numbers(&sim))?;
-        numbers["seconds"] = start.elapsed().as_secs_f64().into();
-        if let Some(reason) = &end {
-            numbers["ended_early"] = reason.as_str().into();
-        }
         output::print(&numbers)?;
     } else if end.is_none() {
         output::print(&log.means())?;

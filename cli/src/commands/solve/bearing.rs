@@ -7,7 +7,7 @@ use stribeck::Status;
 use stribeck::sim::scene::BearingSpec;
 use stribeck::sim::{BearingNumbers, BearingSolution, RigidBearing};
 
-use super::{Options, write_fields};
+use super::{Options, write_fields, write_plain_report};
 use crate::output::{self, Outcome};
 use crate::{files, interrupt};
 
@@ -28,17 +28,21 @@ pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, 
     if let Some(path) = &options.fields {
         write_fields(path, &grid, &[("pressure", &solution.film.pressure), ("theta", &solution.film.theta)])?;
     }
+    let mut numbers = serde_json::to_value(solution.numbers)?;
+    numbers["status"] = serde_json::to_value(status)?;
+    numbers["warnings"] = serde_json::to_value(&solution.warnings)?;
+    numbers["seconds"] = start.elapsed().as_secs_f64().into();
+    numbers["version"] = env!("CARGO_PKG_VERSION").into();
+    let report_file = write_plain_report(options, ("rigid bearing", status), &solution.warnings, &numbers)?;
     if options.output.json {
-        let mut numbers = serde_json::to_value(solution.numbers)?;
-        numbers["status"] = serde_json::to_value(status)?;
-        numbers["warnings"] = serde_json::to_value(&solution.warnings)?;
-        numbers["seconds"] = start.elapsed().as_secs_f64().into();
-        numbers["version"] = env!("CARGO_PKG_VERSION").into();
         output::print(&numbers)?;
     } else {
         output::print(&report(bearing, &solution, status))?;
     }
-    output::report_files(&options.fields.iter().cloned().collect::<Vec<_>>(), options.output.json)?;
+    output::report_files(
+        &options.fields.iter().cloned().chain(report_file).collect::<Vec<_>>(),
+        options.output.json,
+    )?;
     Ok(status.into())
 }
 

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use stribeck::sim::{FlatContact, FlatContactSolution};
 
-use super::{Options, write_fields};
+use super::{Options, write_fields, write_plain_report};
 use crate::output::{self, Outcome};
 use crate::{files, interrupt};
 
@@ -26,17 +26,22 @@ pub(super) fn run(options: &Options, contact: &FlatContact) -> Result<Outcome, B
         write_fields(path, &solution.grid, &solution.fields())?;
     }
     let seconds = start.elapsed().as_secs_f64();
+    let mut numbers = serde_json::to_value(solution.numbers)?;
+    numbers["status"] = serde_json::to_value(solution.status)?;
+    numbers["warnings"] = serde_json::to_value(&solution.warnings)?;
+    numbers["seconds"] = seconds.into();
+    numbers["version"] = env!("CARGO_PKG_VERSION").into();
+    let report_file =
+        write_plain_report(options, ("flat contact", solution.status), &solution.warnings, &numbers)?;
     if options.output.json {
-        let mut numbers = serde_json::to_value(solution.numbers)?;
-        numbers["status"] = serde_json::to_value(solution.status)?;
-        numbers["warnings"] = serde_json::to_value(&solution.warnings)?;
-        numbers["seconds"] = seconds.into();
-        numbers["version"] = env!("CARGO_PKG_VERSION").into();
         output::print(&numbers)?;
     } else {
         output::print(&format!("{}\ntime       {seconds:.2} s", report(&solution)))?;
     }
-    output::report_files(&options.fields.iter().cloned().collect::<Vec<_>>(), options.output.json)?;
+    output::report_files(
+        &options.fields.iter().cloned().chain(report_file).collect::<Vec<_>>(),
+        options.output.json,
+    )?;
     Ok(solution.status.into())
 }
 

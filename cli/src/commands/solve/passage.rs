@@ -2,17 +2,19 @@
 
 use std::error::Error;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::json;
+use serde_json::{Value, json};
+use stribeck::Status;
 use stribeck::sim::scene::Scene;
 use stribeck::sim::{MixedLubricationSim, PassageNumbers, PassageSolution, Scatter, StepRecord};
 
 use super::{Options, write_fields};
 use crate::output::{self, Held, Outcome};
 use crate::picture::{self, BLUE, Chart, Line, Panel, XScale};
+use crate::report::{self, ErrorOf, Number, Report};
 use crate::{files, interrupt};
 
 /// Decimals of a frame's number in its file name.
@@ -70,18 +72,23 @@ pub(super) fn run(options: &Options, scene: Scene, start: Instant) -> Result<Out
     }
     output::warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
     let seconds = start.elapsed().as_secs_f64();
+    let numbers = json!({
+        "means": solution.means,
+        "time_step": solution.time_step,
+        "start_up": solution.start_up,
+        "contacts": solution.passage().len(),
+        "hertz": solution.hertz,
+        "warnings": solution.warnings,
+        "ended_early": solution.ended_early,
+        "seconds": seconds,
+        "version": env!("CARGO_PKG_VERSION"),
+    });
+    if let Some(path) = &options.report.report {
+        write_report(options, &solution, &numbers, path)?;
+        written.push(path.clone());
+    }
     if options.output.json {
-        output::print(&json!({
-            "means": solution.means,
-            "time_step": solution.time_step,
-            "start_up": solution.start_up,
-            "contacts": solution.passage().len(),
-            "hertz": solution.hertz,
-            "warnings": solution.warnings,
-            "ended_early": solution.ended_early,
-            "seconds": seconds,
-            "version": env!("CARGO_PKG_VERSION"),
-        }))?;
+        output::print(&numbers)?;
     } else if !solution.passage().is_empty() {
         output::print(&format!("{}\ntime       {seconds:.2} s", report(&solution)))?;
     }
@@ -208,6 +215,67 @@ fn report(solution: &PassageSolution) -> String {
         )
     }));
     lines.join("\n")
+}
+
+const fn scatter(
+    name: &'static str,
+    unit: &'static str,
+    factor: f64,
+    [key, deviation]: [&'static str; 2],
+) -> Number<'static> {
+    Number { name, key, unit, factor, error: ErrorOf::Absolute(deviation) }
+}
+
+const fn plain(name: &'static str, key: &'static str) -> Number<'static> {
+    Number { name, key, unit: "", factor: 1.0, error: ErrorOf::None }
+}
+
+/// Means with their standard deviation over the contacts.
+const NUMBERS: [Number<'static>; 8] = [
+    scatter(
+        "Mean film",
+        "nm",
+        1e9,
+        ["means.film_mean_central.mean", "means.film_mean_central.standard_deviation"],
+    ),
+    scatter("Least film", "nm", 1e9, ["means.film_minimum.mean", "means.film_minimum.standard_deviation"]),
+    scatter(
+        "Largest pressure",
+        "GPa",
+        1e-9,
+        ["means.pressure_max.mean", "means.pressure_max.standard_deviation"],
+    ),
+    scatter(
+        "Load on solids",
+        "",
+        1.0,
+        ["means.contact_load_ratio.mean", "means.contact_load_ratio.standard_deviation"],
+    ),
+    scatter(
+        "Friction coefficient",
+        "",
+        1.0,
+        ["means.friction_coefficient.mean", "means.friction_coefficient.standard_deviation"],
+    ),
+    plain("Contacts", "contacts"),
+    plain("Contacts of the start-up", "start_up"),
+    Number { name: "Hertz pressure", key: "hertz.pressure", unit: "GPa", factor: 1e-9, error: ErrorOf::None },
+];
+
+fn write_report(
+    options: &Options,
+    solution: &PassageSolution,
+    numbers: &Value,
+    path: &Path,
+) -> Result<(), Box<dyn Error>> {
+    let mut report = Report::new(&options.scene, "passage", Status::Converged)?;
+    report.warn(solution.warnings.iter().map(ToString::to_string));
+    if let Some(reason) = &solution.ended_early {
+        report.end_early(reason);
+    }
+    report.table(&report::list(numbers, &NUMBERS));
+    report.chart(&chart(&output::stem(&options.scene), solution))?;
+    report.write(path)
 }
 
 /// The quantities over time.

@@ -1,0 +1,216 @@
+//! Tables of a report. Every number is that of the JSON object under the key that its cell names.
+
+use serde_json::Value;
+
+use super::escape;
+
+/// The error of a number.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum ErrorOf<'a> {
+    None,
+    /// Key of a share of the number.
+    Relative(&'a str),
+    /// Key of a number of the same unit.
+    Absolute(&'a str),
+}
+
+/// A number of the JSON object.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Number<'a> {
+    pub(crate) name: &'a str,
+    /// Its keys, with dots between them.
+    pub(crate) key: &'a str,
+    pub(crate) unit: &'a str,
+    /// From SI units to `unit`.
+    pub(crate) factor: f64,
+    pub(crate) error: ErrorOf<'a>,
+}
+
+const fn number<'a>(name: &'a str, key: &'a str, unit: &'a str, factor: f64) -> Number<'a> {
+    Number { name, key, unit, factor, error: ErrorOf::None }
+}
+
+const fn estimated<'a>(
+    name: &'a str,
+    key: &'a str,
+    unit: &'a str,
+    factor: f64,
+    error: ErrorOf<'a>,
+) -> Number<'a> {
+    Number { name, key, unit, factor, error }
+}
+
+/// Numbers of a contact and of the means of a history. Those that an object does not have are left out.
+const CONTACT: [Number<'static>; 36] = [
+    number("Hertz pressure", "hertz.pressure", "GPa", 1e-9),
+    number("Half-width along x", "hertz.half_width_x", "µm", 1e6),
+    number("Half-width along y", "hertz.half_width_y", "µm", 1e6),
+    number("Load (per metre: line contact)", "hertz.force", "N", 1.0),
+    number("Moes M", "moes.m", "", 1.0),
+    number("Moes L", "moes.l", "", 1.0),
+    estimated(
+        "Mean film",
+        "film.mean_central",
+        "nm",
+        1e9,
+        ErrorOf::Relative("error_estimate.film_mean_central"),
+    ),
+    number("Central film", "film.central", "nm", 1e9),
+    number("Least film", "film.minimum", "nm", 1e9),
+    number("Film over Rq", "film.lambda", "", 1.0),
+    number("Film over Rq by formula", "film.formula_lambda", "", 1.0),
+    estimated(
+        "Load on solids",
+        "contact.load_ratio",
+        "",
+        1.0,
+        ErrorOf::Absolute("error_estimate.contact_load_ratio"),
+    ),
+    number("Contact over Hertz area", "contact.area_ratio", "", 1.0),
+    number("Plastic area", "contact.plastic_area", "µm²", 1e12),
+    number("Largest pressure", "pressure.max", "GPa", 1e-9),
+    number("Central pressure", "pressure.central", "GPa", 1e-9),
+    estimated(
+        "Friction coefficient",
+        "friction.coefficient",
+        "",
+        1.0,
+        ErrorOf::Relative("error_estimate.friction_coefficient"),
+    ),
+    number("of this, solid contact", "friction.boundary", "", 1.0),
+    number("of this, fluid", "friction.fluid", "", 1.0),
+    number("Composite Rq", "roughness.composite_rq", "nm", 1e9),
+    number("Rq of the ball", "roughness.ball_rq", "nm", 1e9),
+    number("Rq of the disc", "roughness.disc_rq", "nm", 1e9),
+    number("Viscosity of the oil", "oil.eta0", "mPa s", 1e3),
+    number("Inflow", "flow.inflow", "mm³/s", 1e9),
+    number("Flow imbalance", "flow.imbalance", "", 1.0),
+    number("Time of the test", "time", "s", 1.0),
+    number("Steps", "steps", "", 1.0),
+    number("Steps of the means", "averaged_steps", "", 1.0),
+    number("Worn from the ball", "wear.ball_in_contact", "nm", 1e9),
+    number("Worn from the disc", "wear.disc_in_contact", "nm", 1e9),
+    number("Wear volume of the ball", "wear.ball_volume", "µm³", 1e18),
+    number("Wear volume of the disc", "wear.disc_volume", "µm³", 1e18),
+    number("Tribofilm on the ball", "tribofilm.ball_in_contact", "nm", 1e9),
+    number("Tribofilm on the disc", "tribofilm.disc_in_contact", "nm", 1e9),
+    number("Residual of the mass", "residual.mass", "", 1.0),
+    number("Time of the computation", "seconds", "s", 1.0),
+];
+
+/// The numbers of a contact; films of a dry one are rounding where the solids touch, and are left out.
+pub(crate) fn contact(json: &Value, lubricated: bool) -> String {
+    let shown = |number: &&Number<'_>| lubricated || !matches!(number.key, "film.central" | "film.minimum");
+    list(json, &CONTACT.iter().filter(shown).copied().collect::<Vec<_>>())
+}
+
+/// Numbers below each other, with their errors and units.
+pub(crate) fn list(json: &Value, numbers: &[Number<'_>]) -> String {
+    let rows = numbers.iter().filter_map(|number| {
+        let value = cell(json, number.key, number.factor)?;
+        let error = match number.error {
+            ErrorOf::None => None,
+            ErrorOf::Relative(key) => cell(json, key, 100.0).map(|error| format!(" ± {error} %")),
+            ErrorOf::Absolute(key) => cell(json, key, number.factor).map(|error| format!(" ± {error}")),
+        };
+        let error = error.unwrap_or_default();
+        let [name, unit] = [number.name, number.unit].map(escape);
+        Some(format!("<tr><th>{name}</th><td>{value}{error}</td><td>{unit}</td></tr>"))
+    });
+    format!("<table class=\"list\"><tbody>{}</tbody></table>\n", rows.collect::<String>())
+}
+
+/// A row for each entry of the array `array` of `json`, at most `most` of them, evenly spread.
+pub(crate) fn rows(json: &Value, array: &str, columns: &[Number<'_>], most: usize) -> String {
+    let entries = json[array].as_array().map_or(0, Vec::len);
+    let every = entries.div_ceil(most).max(1);
+    let known = |column: &&Number<'_>| (0..entries).any(|k| value_at(&json[array][k], column.key).is_some());
+    let columns: Vec<_> = columns.iter().filter(known).collect();
+    let heads = columns.iter().map(|column| {
+        let unit = if column.unit.is_empty() { String::new() } else { format!(", {}", escape(column.unit)) };
+        format!("<th>{}{unit}</th>", escape(column.name))
+    });
+    let head = heads.collect::<String>();
+    let body = (0..entries).step_by(every).map(|k| {
+        let cells = columns.iter().map(|column| {
+            let key = |name: &str| format!("{array}.{k}.{name}");
+            let value = cell(json, &key(column.key), column.factor).unwrap_or_else(|| "-".to_owned());
+            let error = match column.error {
+                ErrorOf::None => None,
+                ErrorOf::Relative(name) => cell(json, &key(name), 100.0).map(|error| format!(" ± {error} %")),
+                ErrorOf::Absolute(name) => {
+                    cell(json, &key(name), column.factor).map(|error| format!(" ± {error}"))
+                }
+            };
+            format!("<td>{value}{}</td>", error.unwrap_or_default())
+        });
+        format!("<tr>{}</tr>", cells.collect::<String>())
+    });
+    let note =
+        if every > 1 { format!("<p>One of {every} rows of the table (csv).</p>") } else { String::new() };
+    format!(
+        "<div class=\"tables\"><table class=\"rows\"><thead><tr>{head}</tr></thead><tbody>{}</tbody></table>{note}</div>\n",
+        body.collect::<String>()
+    )
+}
+
+/// All numbers of an object in SI units, without those in arrays.
+pub(crate) fn all(json: &Value) -> String {
+    let mut keys = Vec::new();
+    numbers_in(json, "", &mut keys);
+    let numbers: Vec<_> = keys.iter().map(|key| number(key, key, "", 1.0)).collect();
+    list(json, &numbers) + "<p>SI units.</p>\n"
+}
+
+fn numbers_in(json: &Value, before: &str, keys: &mut Vec<String>) {
+    for (name, value) in json.as_object().into_iter().flatten() {
+        let key = if before.is_empty() { name.clone() } else { format!("{before}.{name}") };
+        if value.is_number() {
+            keys.push(key);
+        } else {
+            numbers_in(value, &key, keys);
+        }
+    }
+}
+
+/// The number under `key`, times `factor`, marked with both.
+fn cell(json: &Value, key: &str, factor: f64) -> Option<String> {
+    let value = value_at(json, key)?;
+    let key = escape(key);
+    Some(format!("<span data-key=\"{key}\" data-factor=\"{factor:e}\">{}</span>", digits(factor * value)))
+}
+
+fn value_at(json: &Value, key: &str) -> Option<f64> {
+    let mut value = json;
+    for part in key.split('.') {
+        value = match part.parse::<usize>() {
+            Ok(index) if value.is_array() => value.get(index)?,
+            _ => value.get(part)?,
+        };
+    }
+    value.as_f64()
+}
+
+/// Four digits; whole numbers with all of theirs.
+fn digits(value: f64) -> String {
+    let size = value.abs();
+    if size < 1e7 && value.fract() == 0.0 {
+        format!("{value}")
+    } else if (1e-3..1e5).contains(&size) {
+        let decimals = (3.0 - size.log10().floor()).max(0.0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::digits;
+
+    #[test]
+    fn numbers_have_four_digits_and_whole_ones_all() {
+        let shown = [0.0, 128.0, 23.976, 0.070_689, 99_999.6, 4.2e-7, -1.5, 0.99996].map(digits);
+        assert_eq!(shown, ["0", "128", "23.98", "0.07069", "100000", "4.200e-7", "-1.500", "1.0000"]);
+    }
+}
