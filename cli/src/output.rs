@@ -5,7 +5,6 @@ use std::fmt::Display;
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use indicatif::ProgressBar;
@@ -23,13 +22,14 @@ pub(crate) enum Outcome {
     Refused,
 }
 
-impl From<Outcome> for ExitCode {
-    fn from(outcome: Outcome) -> Self {
-        Self::from(match outcome {
-            Outcome::Converged => 0,
-            Outcome::NotConverged => 1,
-            Outcome::Refused => 2,
-        })
+impl Outcome {
+    /// The exit status.
+    pub(crate) fn code(self) -> u8 {
+        match self {
+            Self::Converged => 0,
+            Self::NotConverged => 1,
+            Self::Refused => 2,
+        }
     }
 }
 
@@ -134,6 +134,15 @@ pub(crate) fn complain(kind: &str, text: &str) {
 pub(crate) fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     for warning in warnings {
         complain("warning", &warning.to_string());
+    }
+}
+
+/// A time in seconds or, where it is short, in milliseconds.
+pub(crate) fn time(seconds: f64) -> String {
+    if seconds > 0.0 && seconds < 1.0 {
+        format!("{:.3} ms", 1e3 * seconds)
+    } else {
+        format!("{seconds:.1} s")
     }
 }
 

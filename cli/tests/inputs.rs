@@ -5,7 +5,7 @@ mod common;
 
 use std::path::Path;
 
-use common::{assert_refused, text};
+use common::{assert_refused, stribeck, text};
 
 /// A mixed contact without a mistake.
 const GOOD: &str = r#"
@@ -187,7 +187,7 @@ fn wrong_scenes_are_refused_by_every_subcommand() {
         &["run", scene, "--steps", "1", "--time-step", "1"],
     ];
     std::fs::write(&path, GOOD).unwrap();
-    assert!(common::stribeck(commands[0]).status.success());
+    assert!(stribeck(commands[0]).status.success());
     for (from, to, words) in SCENES {
         assert!(GOOD.contains(from), "{from}");
         std::fs::write(&path, GOOD.replacen(from, to, 1)).unwrap();
@@ -263,4 +263,13 @@ fn wrong_options_are_refused() {
         assert_refused(&line.split_whitespace().map(argument).collect::<Vec<_>>(), words);
         assert!(!folder.path().join("new.toml").exists(), "{line}");
     }
+}
+
+#[test]
+fn manual_pages_have_the_options_of_the_command() {
+    let page = |arguments: &[&str]| String::from_utf8(stribeck(arguments).stdout).unwrap();
+    assert!(page(&["man"]).starts_with(".ie"), "roff");
+    let solve = page(&["man", "solve"]);
+    assert!(solve.contains(".TH") && solve.contains("\\-\\-report"), "{solve}");
+    assert_refused(&["man", "solv"], &["there is no subcommand solv", "--help"]);
 }

@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::PathBuf;
 use std::process::Output;
 
-use common::{assert_refused, json_of, stribeck};
+use common::{assert_refused, json_of, rough, stribeck, text};
 use serde_json::Value;
 use stribeck::surface::write_npy;
 
@@ -281,4 +281,45 @@ fn strip_is_solved_and_checked_per_metre() {
     let text = String::from_utf8(checked.stdout).unwrap();
     assert!(text.contains("3.0700e5 N/m, half-width") && text.contains("modelled   strip"), "{text}");
     assert!(text.contains("run        no: grid.across"), "{text}");
+}
+
+/// The numbers of a text, with the digits that are printed: "4.29", "1.6e-7".
+fn printed_numbers(text: &str) -> Vec<&str> {
+    let words =
+        text.split(|letter: char| !(letter.is_ascii_digit() || matches!(letter, '.' | 'e' | '-' | '+')));
+    words
+        .map(|word| word.trim_matches(['.', '-', 'e', '+']))
+        .filter(|word| word.parse::<f64>().is_ok())
+        .collect()
+}
+
+fn numbers_in(json: &Value, found: &mut Vec<f64>) {
+    match json {
+        Value::Number(number) => found.extend(number.as_f64()),
+        Value::Array(entries) => entries.iter().for_each(|entry| numbers_in(entry, found)),
+        Value::Object(entries) => entries.values().for_each(|entry| numbers_in(entry, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn json_of_a_solve_has_every_printed_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = rough(folder.path(), &[]);
+    let output = stribeck(&["solve", text(&scene)]);
+    let printed = String::from_utf8(output.stdout).unwrap();
+    let mut exact = Vec::new();
+    numbers_in(&json_of(&stribeck(&["solve", text(&scene), "--json"])), &mut exact);
+    let lines = printed.lines().filter(|line| !line.starts_with("time"));
+    for word in lines.flat_map(|line| printed_numbers(line.trim_end_matches("um^2 plastic"))) {
+        let mantissa = word.split('e').next().unwrap();
+        let shown: f64 = word.parse().unwrap();
+        let decimals = mantissa.split_once('.').map_or(0, |(_, digits)| digits.len() as i32);
+        let exponent: i32 = word.split_once('e').map_or(0, |(_, digits)| digits.parse().unwrap());
+        let half = 0.5001 * 10_f64.powi(exponent - decimals);
+        // Units are powers of ten, areas those of micrometres.
+        let is_found =
+            |value: &f64| (-12..=18).any(|power| (value.abs() * 10_f64.powi(power) - shown).abs() <= half);
+        assert!(exact.iter().any(is_found), "{word} is not in the JSON:\n{printed}");
+    }
 }

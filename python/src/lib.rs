@@ -29,6 +29,12 @@ fn set_num_threads(threads: usize) {
     stribeck::set_num_threads(threads);
 }
 
+/// Runs the command with `arguments` behind its name; its exit status.
+#[pyfunction]
+fn run_command(py: Python<'_>, arguments: Vec<std::ffi::OsString>) -> u8 {
+    py.detach(|| stribeck_cli::run(std::iter::once("stribeck".into()).chain(arguments)))
+}
+
 #[pymodule]
 fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
@@ -41,6 +47,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<start::BodyStart>()?;
     module.add_class::<surface::Surface>()?;
     module.add_class::<given_film::SolvedFilm>()?;
+    module.add_function(wrap_pyfunction!(run_command, module)?)?;
     module.add_function(wrap_pyfunction!(set_num_threads, module)?)?;
     module.add_function(wrap_pyfunction!(convert::quantity, module)?)?;
     module.add_function(wrap_pyfunction!(record::columns, module)?)?;

@@ -4,7 +4,7 @@ use stribeck::Grid;
 use stribeck::reynolds::ContactState;
 use stribeck::sim::HertzContact;
 
-use crate::picture::{BLUE, Chart, GREEN, Line, Map, Maps, Panel, VERMILION, XScale, extremes, inner};
+use crate::picture::{BLUE, Chart, GREEN, Line, Map, Maps, Panel, Scale, VERMILION, extremes, inner};
 
 /// A contact as it is drawn.
 pub(crate) struct Seen<'a> {
@@ -31,11 +31,15 @@ pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
     let cut = if thickest > most { format!(", yellow: {most} and more") } else { String::new() };
     let film_name = format!("{}{cut}", film_name(seen));
     let largest_pressure = extremes(state.pressure.iter().copied()).1;
+    let pressure_scale = round_up(1e-9 * largest_pressure);
     let mut maps = vec![
         map(&film_name, &state.film, 1e9, most, true),
-        map("pressure (GPa)", &state.pressure, 1e-9, round_up(1e-9 * largest_pressure), true),
+        map("pressure (GPa)", &state.pressure, 1e-9, pressure_scale, true),
     ];
     if seen.lubricated {
+        if state.pressure.iter().zip(&state.fluid_pressure).any(|(all, fluid)| all > fluid) {
+            maps.push(map("pressure of the fluid (GPa)", &state.fluid_pressure, 1e-9, pressure_scale, true));
+        }
         maps.push(map("content of the gap, theta", &state.theta, 1.0, 1.0, true));
     }
     if let Some(film) = seen.tribofilm {
@@ -67,22 +71,32 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
     if seen.lubricated {
         pressures.push(line("fluid", BLUE, &state.fluid_pressure, 1e-9));
     }
+    pressures.push(hertz_line(seen, row, columns.clone()));
     let highest = 2e9 * thick_film(seen);
-    let film = line("", BLUE, &state.film, 1e9);
+    let mut film = line("", BLUE, &state.film, 1e9);
+    if !seen.lubricated {
+        // The gap of solids that touch is rounding.
+        film.points.iter_mut().for_each(|point| point.1 = point.1.max(0.0));
+    }
     let cut = if film.points.iter().any(|(_, film)| *film > highest) { ", cut off" } else { "" };
     let mut panels = vec![
-        Panel { y_label: "pressure (GPa)".to_owned(), lines: pressures, highest: None },
-        Panel { y_label: format!("{}{cut}", film_name(seen)), lines: vec![film], highest: Some(highest) },
+        Panel::new("pressure (GPa)", pressures),
+        Panel { highest: Some(highest), ..Panel::new(format!("{}{cut}", film_name(seen)), vec![film]) },
     ];
     if seen.lubricated {
-        panels.push(Panel {
-            y_label: "theta".to_owned(),
-            lines: vec![line("", GREEN, &state.theta, 1.0)],
-            highest: None,
-        });
+        panels.push(Panel::new("theta", vec![line("", GREEN, &state.theta, 1.0)]));
     }
     let title = format!("{}: profile at y = {:.1} µm", seen.title, 1e6 * grid.y(row));
-    Chart { title, x_label: "x (µm)", x_scale: XScale::Linear, panels }
+    Chart { title, x_label: "x (µm)", x_scale: Scale::Linear, panels }
+}
+
+/// Hertz's pressure of the smooth dry contact in the nodes of a row.
+fn hertz_line(seen: &Seen<'_>, row: usize, columns: std::ops::Range<usize>) -> Line {
+    let (grid, hertz) = (&seen.grid, &seen.hertz);
+    let y = if grid.is_strip() { 0.0 } else { grid.y(row) };
+    let at = |x: f64| 1e-9 * hertz.pressure * (1.0 - hertz.radius_squared(x, y)).max(0.0).sqrt();
+    let points = columns.map(|i| (1e6 * grid.x(i), at(grid.x(i)))).collect();
+    Line { name: "Hertz", colour: GREEN, points, bands: Vec::new() }
 }
 
 /// What films are called.

@@ -10,7 +10,7 @@ use stribeck::Status;
 use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, SimError};
 
 use crate::output::{self, Held, Outcome, Output, ReportFile};
-use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, VERMILION, XScale};
+use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
 use crate::report::{self, ErrorOf, Number, Report};
 use crate::{files, interrupt};
 
@@ -219,7 +219,7 @@ fn chart(name: &str, solution: &CycleSolution) -> Chart {
         let points = points.iter().map(|point| (x(point), value(point))).collect();
         Line { name, colour, points, bands: Vec::new() }
     };
-    let panel = |y_label: &str, lines| Panel { y_label: y_label.to_owned(), lines, highest: None };
+    let panel = |y_label: &str, lines| Panel::new(y_label, lines);
     let mut panels = vec![
         panel(
             "film (nm)",
@@ -246,7 +246,7 @@ fn chart(name: &str, solution: &CycleSolution) -> Chart {
     Chart {
         title: format!("Cycle of {name}"),
         x_label: if has_angles { "angle (deg)" } else { "time (ms)" },
-        x_scale: XScale::Linear,
+        x_scale: Scale::Linear,
         panels,
     }
 }

@@ -8,6 +8,7 @@ pub(crate) mod curve;
 pub(crate) mod cycle;
 pub(crate) mod explain;
 pub(crate) mod init;
+pub(crate) mod man;
 pub(crate) mod run;
 pub(crate) mod solve;
 pub(crate) mod surface;

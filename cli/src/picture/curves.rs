@@ -50,6 +50,7 @@ where
         .configure_mesh()
         .x_desc(label)
         .y_desc("height about the mean (µm)")
+        .x_labels(6)
         .y_label_formatter(&|v| y_number(v))
         .light_line_style(WHITE)
         .label_style(text(TEXT_SIZE))
@@ -82,6 +83,7 @@ where
     chart
         .configure_mesh()
         .x_desc("height (µm)")
+        .x_labels(6)
         .y_desc("density (1/µm)")
         .x_label_formatter(&|v| x_number(v))
         .light_line_style(WHITE)
@@ -124,6 +126,7 @@ where
         .configure_mesh()
         .y_label_formatter(&|height| format!("{}", (height * 1e6).round() / 1e6 + 0.0))
         .x_desc("material ratio")
+        .x_labels(6)
         .y_desc("height about the mean (µm)")
         .light_line_style(WHITE)
         .label_style(text(TEXT_SIZE))

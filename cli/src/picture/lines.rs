@@ -18,6 +18,10 @@ const LEFT: u32 = 84;
 /// Points of a line of fewer are dots too.
 const FEW: usize = 40;
 
+/// Size of a legend over that of the axes: its width, and the height of a line.
+const LEGEND_WIDTH: f64 = 0.2;
+const LEGEND_LINE: f64 = 0.17;
+
 type Axes<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
 /// A line through points.
@@ -36,11 +40,30 @@ pub(crate) struct Panel {
     pub(crate) lines: Vec<Line>,
     /// Values above are cut off; none for all.
     pub(crate) highest: Option<f64>,
+    pub(crate) y_scale: Scale,
 }
 
-/// What the numbers of an x axis are.
+impl Panel {
+    /// All lines from zero on.
+    pub(crate) fn new(y_label: impl Into<String>, lines: Vec<Line>) -> Self {
+        Self { y_label: y_label.into(), lines, highest: None, y_scale: Scale::Linear }
+    }
+
+    /// Positive values on a logarithmic scale.
+    pub(crate) fn logarithmic(y_label: impl Into<String>, mut lines: Vec<Line>) -> Self {
+        let decade = |v: f64| if v > 0.0 { v.log10() } else { f64::NAN };
+        for line in &mut lines {
+            line.points.iter_mut().for_each(|point| point.1 = decade(point.1));
+            line.bands.iter_mut().flat_map(|(_, edges)| edges).for_each(|edge| *edge = decade(*edge));
+            line.bands.retain(|(_, edges)| edges.iter().all(|edge| edge.is_finite()));
+        }
+        Self { y_scale: Scale::Decades, ..Self::new(y_label, lines) }
+    }
+}
+
+/// The numbers of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum XScale {
+pub(crate) enum Scale {
     /// The values.
     Linear,
     /// Logarithms to base 10, labelled with the values.
@@ -51,7 +74,7 @@ pub(crate) enum XScale {
 pub(crate) struct Chart {
     pub(crate) title: String,
     pub(crate) x_label: &'static str,
-    pub(crate) x_scale: XScale,
+    pub(crate) x_scale: Scale,
     pub(crate) panels: Vec<Panel>,
 }
 
@@ -77,6 +100,17 @@ impl Picture for Chart {
     }
 }
 
+impl Scale {
+    /// The label of a tick; of decades whole powers of ten alone.
+    fn number(self, v: f64, plain: &dyn Fn(&f64) -> String) -> String {
+        match self {
+            Self::Linear => plain(&v),
+            Self::Decades if (v - v.round()).abs() < 1e-9 => format!("{}", 10_f64.powi(v.round() as i32)),
+            Self::Decades => String::new(),
+        }
+    }
+}
+
 impl Chart {
     /// The lowest panel names the x axis of all.
     fn draw_panel<B: DrawingBackend>(
@@ -91,11 +125,8 @@ impl Chart {
     {
         let y = panel.y_range();
         let (plain, y_number) = (tick(&x), tick(&y));
-        let x_number = |v: &f64| match self.x_scale {
-            XScale::Linear => plain(v),
-            XScale::Decades if (v - v.round()).abs() < 1e-9 => format!("{}", 10_f64.powi(v.round() as i32)),
-            XScale::Decades => String::new(),
-        };
+        let x_number = |v: &f64| self.x_scale.number(*v, &plain);
+        let y_number = |v: &f64| panel.y_scale.number(*v, &y_number);
         let mut chart = ChartBuilder::on(area)
             .margin_left(8)
             .margin_right(24)
@@ -113,7 +144,7 @@ impl Chart {
             .x_labels(9)
             .y_labels(5)
             .x_label_formatter(&x_number)
-            .y_label_formatter(&|v| y_number(v))
+            .y_label_formatter(&y_number)
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.12))
             .draw()?;
@@ -156,9 +187,10 @@ impl Panel {
             }
         }
         if self.lines.iter().any(|line| !line.name.is_empty()) {
+            let corner = self.free_corner(&chart.x_range(), &y);
             chart
                 .configure_series_labels()
-                .position(SeriesLabelPosition::UpperLeft)
+                .position(corner)
                 .background_style(WHITE.mix(0.8))
                 .label_font(text(TEXT_SIZE))
                 .draw()?;
@@ -166,11 +198,37 @@ impl Panel {
         Ok(())
     }
 
+    /// The corner of the axes with the fewest points in it, the upper left one of equals.
+    fn free_corner(&self, x: &Range<f64>, y: &Range<f64>) -> SeriesLabelPosition {
+        let share = |range: &Range<f64>, v: f64| (v - range.start) / (range.end - range.start);
+        let points = || self.lines.iter().flat_map(|line| &line.points);
+        let places: Vec<(f64, f64)> = points().map(|&(at, v)| (share(x, at), share(y, v))).collect();
+        let corners = [
+            (SeriesLabelPosition::UpperLeft, false, true),
+            (SeriesLabelPosition::UpperRight, true, true),
+            (SeriesLabelPosition::LowerLeft, false, false),
+            (SeriesLabelPosition::LowerRight, true, false),
+        ];
+        let height = LEGEND_LINE * self.lines.len() as f64;
+        let count = |right: bool, upper: bool| {
+            let inside = |&(x, y): &(f64, f64)| {
+                (if right { 1.0 - x } else { x }) < LEGEND_WIDTH && (if upper { 1.0 - y } else { y }) < height
+            };
+            places.iter().filter(|place| inside(place)).count()
+        };
+        let best = corners.into_iter().min_by_key(|(_, right, upper)| count(*right, *upper));
+        best.map_or(SeriesLabelPosition::UpperLeft, |(position, _, _)| position)
+    }
+
     /// From zero, or from the lowest value where it is negative, to a little above the highest.
     fn y_range(&self) -> Range<f64> {
         let values = self.lines.iter().flat_map(|line| &line.points).map(|point| point.1);
         let edges = self.lines.iter().flat_map(|line| &line.bands).flat_map(|(_, edges)| *edges);
         let (low, high) = extremes(values.chain(edges));
+        if self.y_scale == Scale::Decades {
+            // Whole decades, so that there are labels.
+            return low.floor()..high.ceil().max(low.floor() + 1.0);
+        }
         let (low, high) = (low.min(0.0), self.highest.map_or(high, |highest| high.min(highest)).max(0.0));
         let margin = if high > low { 0.06 * (high - low) } else { 1.0 };
         if low < 0.0 { low - margin..high + margin } else { 0.0..high + margin }

@@ -30,6 +30,7 @@ const SHADES: f64 = 48.0;
 const CELLS: usize = 256;
 
 /// A field, one value a node.
+#[derive(Clone)]
 pub(crate) struct Map<'a> {
     pub(crate) title: String,
     pub(crate) values: &'a [f64],

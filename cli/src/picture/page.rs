@@ -23,6 +23,12 @@ const OVERLAP: f64 = 1.5;
 const GREY: RGBColor = RGBColor(170, 170, 170);
 /// Share of the highest and of the lowest points that have no colour of their own.
 const OUTLIERS: f64 = 0.005;
+/// Sizes of labels and of the title of a map, in pixels.
+const X_LABELS: u32 = 38;
+const Y_LABELS: u32 = 80;
+const CAPTION: u32 = 30;
+/// Largest ratio of the sides of a map as drawn.
+const MOST_RATIO: f64 = 5.0;
 const CUBIC_NANOMETRES: f64 = 1e27;
 
 /// A field of `nx` by `ny` squares over a box.
@@ -85,6 +91,7 @@ where
         None => (nx as f64, ny as f64, "x (points)", "y (points)"),
     };
     let (low, high) = extremes(surface.defined_heights());
+    let digits = tick(&(low * 1e5..high * 1e5));
     let middle = 0.5 * (low + high);
     // a spike must not take all colours
     let mean = high - numbers.curve.height_at(0.0);
@@ -94,12 +101,10 @@ where
         area,
         &Map {
             title: format!(
-                "Height, {:.4} to {:.4} µm (colours {:.4} to {:.4} µm{})",
-                low * 1e6,
-                high * 1e6,
-                colours.0 * 1e6,
-                colours.1 * 1e6,
-                if surface.undefined() > 0 { ", undefined grey" } else { "" }
+                "Height, colours {} to {} µm{}",
+                digits(&(colours.0 * 1e6)),
+                digits(&(colours.1 * 1e6)),
+                if surface.undefined() > 0 { ", grey: undefined" } else { "" }
             ),
             x_label,
             y_label,
@@ -140,17 +145,32 @@ where
     )
 }
 
+/// Pixels that stay free on each side of a map and above it, so that lengths are equal along both axes, up to a ratio of the
+/// sides.
+fn room_beside((width, height): (u32, u32), map: &Map<'_>) -> [u32; 2] {
+    let inside =
+        [width.saturating_sub(Y_LABELS + 20), height.saturating_sub(X_LABELS + CAPTION + 20)].map(f64::from);
+    let sides = (map.x.end - map.x.start, map.y.end - map.y.start);
+    let ratio = (sides.1 / sides.0).clamp(1.0 / MOST_RATIO, MOST_RATIO);
+    let shown = inside[0].min(inside[1] / ratio);
+    [(0.5 * (inside[0] - shown)) as u32, (inside[1] - ratio * shown) as u32]
+}
+
 /// Squares are single points of the field, so that nothing is averaged away.
 fn draw_map<B: DrawingBackend>(area: &DrawingArea<B, Shift>, map: &Map<'_>, (low, high): (f64, f64)) -> Drawn
 where
     B::ErrorType: 'static,
 {
     let (x_number, y_number) = (tick(&map.x), tick(&map.y));
+    let [side, top] = room_beside(area.dim_in_pixel(), map);
     let mut chart = ChartBuilder::on(area)
         .caption(&map.title, text(TEXT_SIZE + 1))
         .margin(10)
-        .x_label_area_size(38)
-        .y_label_area_size(80)
+        .margin_left(10 + side)
+        .margin_right(10 + side)
+        .margin_top(10 + top)
+        .x_label_area_size(X_LABELS)
+        .y_label_area_size(Y_LABELS)
         .build_cartesian_2d(map.x.clone(), map.y.clone())?;
     chart
         .configure_mesh()

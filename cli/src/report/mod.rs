@@ -15,8 +15,13 @@ use stribeck::Status;
 
 pub(crate) use self::fields::Fields;
 pub(crate) use self::numbers::{ErrorOf, Number, all, contact, list, rows};
-use crate::picture::{self, Chart, Maps, XScale};
+use crate::picture::{self, Chart, Maps, Scale};
 use crate::{files, output};
+
+/// Height of a printed page of pictures and of a row of maps on it \[mm\], and the maps in a row.
+const PAGE: u32 = 235;
+const ROW: u32 = 62;
+const IN_ROW: usize = 3;
 
 /// Text, numbers and pictures of the page.
 pub(crate) struct Report {
@@ -29,6 +34,8 @@ pub(crate) struct Report {
     charts: Vec<Value>,
     fields: Option<Value>,
     stills: String,
+    /// Height of a chart in print \[mm\].
+    chart_height: u32,
 }
 
 impl Report {
@@ -45,6 +52,7 @@ impl Report {
             charts: Vec::new(),
             fields: None,
             stills: String::new(),
+            chart_height: PAGE,
         })
     }
 
@@ -80,11 +88,15 @@ impl Report {
     pub(crate) fn maps(&mut self, maps: Option<&Maps<'_>>, fields: &Fields) -> Result<(), Box<dyn Error>> {
         self.fields = fields.to_json();
         if let Some(maps) = maps {
-            let data = fields::base64(&picture::png(maps)?);
-            let title = escape(&maps.title);
-            self.stills += &format!(
-                "<div class=\"still\"><img alt=\"{title}\" src=\"data:image/png;base64,{data}\"/></div>\n"
-            );
+            let mut images = String::new();
+            for map in &maps.maps {
+                let title = escape(&format!("{}, {}", maps.title, map.title));
+                let one = Maps { title: String::new(), maps: vec![map.clone()], ..*maps };
+                let data = fields::base64(&picture::png(&one)?);
+                images += &format!("<img alt=\"{title}\" src=\"data:image/png;base64,{data}\"/>");
+            }
+            self.stills += &format!("<div class=\"still maps\">{images}</div>\n");
+            self.chart_height = PAGE.saturating_sub(ROW * maps.maps.len().div_ceil(IN_ROW) as u32);
         }
         Ok(())
     }
@@ -111,6 +123,7 @@ impl Report {
             ("{{numbers}}", self.numbers.clone()),
             ("{{scene}}", scene_text(&self.scene)),
             ("{{stills}}", self.stills.clone()),
+            ("{{height}}", self.chart_height.to_string()),
             ("{{version}}", env!("CARGO_PKG_VERSION").to_owned()),
             // JSON in a page: no character of it may begin a tag.
             ("{{data}}", data.replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")),
@@ -144,7 +157,7 @@ fn sized_by_page(svg: &str) -> String {
     }
 }
 
-/// The scene; in print long arrays have their first and last line alone.
+/// The scene; in print long arrays have their first line alone.
 fn scene_text(scene: &str) -> String {
     let is_numbers = |line: &&str| {
         line.len() > 40
@@ -154,10 +167,10 @@ fn scene_text(scene: &str) -> String {
     };
     let lines: Vec<&str> = scene.trim_end().lines().collect();
     let parts = lines.chunk_by(|a, b| is_numbers(&a) == is_numbers(&b)).map(|part| match part {
-        [first, middle @ .., last] if is_numbers(first) && middle.len() > 1 => {
-            let [first, last, more] = [escape(first), escape(last), escape(&middle.join("\n"))];
-            let cut = format!("  ... {} lines ...", middle.len());
-            format!("{first}\n<span class=\"more\">{more}</span><span class=\"cut\">{cut}</span>\n{last}")
+        [first, rest @ ..] if is_numbers(first) && rest.len() > 1 => {
+            let [first, more] = [escape(first), escape(&rest.join("\n"))];
+            let cut = format!("  ... {} lines ...", rest.len());
+            format!("{first}\n<span class=\"more\">{more}</span><span class=\"cut\">{cut}</span>")
         }
         _ => escape(&part.join("\n")),
     });
@@ -181,12 +194,14 @@ fn short(value: f64) -> Value {
 }
 
 fn chart_data(chart: &Chart) -> Value {
-    let log = chart.x_scale == XScale::Decades;
+    let log = chart.x_scale == Scale::Decades;
     let x = |x: f64| if log { short(10_f64.powf(x)) } else { short(x) };
     let panels = chart.panels.iter().map(|panel| {
+        let is_log = panel.y_scale == Scale::Decades;
+        let y = |y: f64| if is_log { short(10_f64.powf(y)) } else { short(y) };
         let lines = panel.lines.iter().map(|line| {
             let band = |x: f64, side: usize| {
-                line.bands.iter().find(|(at, _)| *at == x).map_or(Value::Null, |(_, edges)| short(edges[side]))
+                line.bands.iter().find(|(at, _)| *at == x).map_or(Value::Null, |(_, edges)| y(edges[side]))
             };
             let bands = [0, 1].map(|side| line.points.iter().map(|(at, _)| band(*at, side)).collect::<Vec<_>>());
             let colour = line.colour;
@@ -194,11 +209,11 @@ fn chart_data(chart: &Chart) -> Value {
                 "name": line.name,
                 "colour": format!("#{:02x}{:02x}{:02x}", colour.0, colour.1, colour.2),
                 "x": line.points.iter().map(|point| x(point.0)).collect::<Vec<_>>(),
-                "y": line.points.iter().map(|point| short(point.1)).collect::<Vec<_>>(),
+                "y": line.points.iter().map(|point| y(point.1)).collect::<Vec<_>>(),
                 "band": (!line.bands.is_empty()).then_some(bands),
             })
         });
-        json!({"label": panel.y_label, "top": panel.highest, "log": false, "lines": lines.collect::<Vec<_>>()})
+        json!({"label": panel.y_label, "top": panel.highest, "log": is_log, "lines": lines.collect::<Vec<_>>()})
     });
     json!({"title": chart.title, "x": chart.x_label, "log": log, "panels": panels.collect::<Vec<_>>()})
 }

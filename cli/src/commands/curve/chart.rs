@@ -1,35 +1,67 @@
 //! The picture of a curve, with resolved contacts beside it.
 
 use plotters::style::RGBColor;
+use stribeck::sim::ContactSolution;
 
-use super::row::{Columns, QUANTITIES, Row};
-use crate::picture::{BLUE, Chart, Line, Panel, VERMILION, XScale};
+use super::Curve;
+use super::row::{Columns, QUANTITIES, Quantity, Row};
+use crate::picture::{BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
 
-/// A panel for each quantity, with bands where values have them; `resolved` rows are drawn beside the curve.
-pub(super) fn chart(name: &str, columns: Columns, [rows, resolved]: [&[Row]; 2]) -> Chart {
-    let over = columns.over;
-    let x_of = &|at: f64| if over.is_logarithmic() { at.log10() } else { over.shown(at) };
+/// A panel for each quantity, with bands where values have them; resolved rows are drawn beside the curve. Films over speed or
+/// load have logarithmic axes.
+pub(super) fn chart(name: &str, curve: &Curve<'_>) -> Chart {
+    let columns = curve.columns;
     let panels = QUANTITIES.iter().enumerate().filter_map(|(index, quantity)| {
-        let curve = line(rows, index, x_of, BLUE);
-        let beside = line(resolved, index, x_of, VERMILION);
-        let mut lines = vec![curve, beside];
+        let line = |rows, colour| line(rows, index, columns, colour);
+        let mut lines = vec![line(&curve.rows, BLUE), line(&curve.resolved, VERMILION)];
         lines.retain(|line| !line.points.is_empty());
         if let [curve, beside] = lines.as_mut_slice() {
             (curve.name, beside.name) = ("asperity inlets", "resolved");
         }
-        let panel = Panel { y_label: quantity.label.to_owned(), lines, highest: None };
-        (!panel.lines.is_empty()).then_some(panel)
+        if lines.is_empty() {
+            return None;
+        }
+        Some(match quantity.column {
+            "friction_coefficient" => {
+                let parts = friction_parts(curve);
+                if let ([line], false) = (lines.as_mut_slice(), parts.is_empty()) {
+                    line.name = "friction";
+                }
+                lines.extend(parts);
+                Panel::new(quantity.label, lines)
+            }
+            "film_mean_central_m" | "film_lambda" => {
+                if let Some(formula) = formula(curve, quantity) {
+                    if let [line] = lines.as_mut_slice() {
+                        line.name = "mean film";
+                    }
+                    lines.push(formula);
+                }
+                if columns.over.is_logarithmic() {
+                    Panel::logarithmic(quantity.label, lines)
+                } else {
+                    Panel::new(quantity.label, lines)
+                }
+            }
+            _ => Panel::new(quantity.label, lines),
+        })
     });
     Chart {
-        title: format!("{} {name}", over.title()),
-        x_label: over.label(columns.line),
-        x_scale: if over.is_logarithmic() { XScale::Decades } else { XScale::Linear },
+        title: format!("{} {name}", columns.over.title()),
+        x_label: columns.over.label(columns.line),
+        x_scale: if columns.over.is_logarithmic() { Scale::Decades } else { Scale::Linear },
         panels: panels.collect(),
     }
 }
 
+/// The place of a value on the x axis.
+fn place(columns: Columns, at: f64) -> f64 {
+    if columns.over.is_logarithmic() { at.log10() } else { columns.over.shown(at) }
+}
+
 /// The quantity of number `index` over the x of `rows`.
-fn line(rows: &[Row], index: usize, x_of: &dyn Fn(f64) -> f64, colour: RGBColor) -> Line {
+fn line(rows: &[Row], index: usize, columns: Columns, colour: RGBColor) -> Line {
+    let x_of = |at| place(columns, at);
     let values: Vec<_> = rows.iter().filter_map(|row| Some((x_of(row.at), row.values[index]?))).collect();
     let scaled = |number: f64| QUANTITIES[index].factor * number;
     let bands = values.iter().filter_map(|(x, value)| {
@@ -42,4 +74,52 @@ fn line(rows: &[Row], index: usize, x_of: &dyn Fn(f64) -> f64, colour: RGBColor)
         points: values.iter().map(|(x, value)| (*x, scaled(value.mean))).collect(),
         bands: bands.collect(),
     }
+}
+
+/// Means of a number over the surfaces, at each row of the curve.
+fn means(curve: &Curve<'_>, value: &dyn Fn(&ContactSolution) -> Option<f64>) -> Vec<(f64, f64)> {
+    let is_curve = |row: &Row, solution: &ContactSolution| {
+        solution.report.status == stribeck::Status::Converged
+            && solution.model.unwrap_or_default() == row.model
+    };
+    let points = curve.rows.iter().filter_map(|row| {
+        let at = curve.points.iter().filter(|point| curve.columns.over.of(&point.conditions) == row.at);
+        let values: Vec<f64> = at
+            .filter(|point| is_curve(row, &point.solution))
+            .filter_map(|point| value(&point.solution))
+            .collect();
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        mean.is_finite().then(|| (place(curve.columns, row.at), mean))
+    });
+    points.collect()
+}
+
+/// Shares of the friction of solids and fluid, where both are there.
+fn friction_parts(curve: &Curve<'_>) -> Vec<Line> {
+    let solid = means(curve, &|solution| Some(solution.friction.boundary));
+    let fluid = means(curve, &|solution| Some(solution.friction.fluid));
+    let some = |points: &[(f64, f64)]| points.iter().any(|point| point.1 > 0.0);
+    if !(some(&solid) && some(&fluid)) {
+        return Vec::new();
+    }
+    let line = |name, colour, points| Line { name, colour, points, bands: Vec::new() };
+    vec![line("of it solid", VERMILION, solid), line("of it fluid", GREEN, fluid)]
+}
+
+/// The film by formula, of the smooth contact.
+fn formula(curve: &Curve<'_>, quantity: &Quantity) -> Option<Line> {
+    if quantity.column != "film_mean_central_m" {
+        return None;
+    }
+    let films = curve
+        .rows
+        .iter()
+        .filter_map(|row| Some((place(curve.columns, row.at), quantity.factor * row.formula?)));
+    let points: Vec<_> = films.collect();
+    (!points.is_empty()).then(|| Line {
+        name: "smooth, by formula",
+        colour: GREEN,
+        points,
+        bands: Vec::new(),
+    })
 }

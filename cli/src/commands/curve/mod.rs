@@ -83,6 +83,7 @@ struct Point {
 /// The curve as far as it is solved.
 struct Curve<'a> {
     options: &'a Options,
+    scene: Scene,
     columns: Columns,
     csv: (PathBuf, File),
     bar: ProgressBar,
@@ -193,6 +194,7 @@ impl<'a> Curve<'a> {
         let is_complete = true;
         let mut curve = Self {
             options,
+            scene: scene.clone(),
             columns,
             csv,
             bar,
@@ -317,7 +319,7 @@ impl<'a> Curve<'a> {
         }
         let is_converged = |point: &&Point| point.solution.report.status == Status::Converged;
         let solutions: Vec<_> = points.iter().filter(is_converged).map(|point| &point.solution).collect();
-        if let Some(row) = Row::of(value, &solutions) {
+        if let Some(row) = Row::of(value, &solutions, self.formula(&points, value)) {
             self.write_line(&row.csv(self.columns))?;
             if !self.options.output.json {
                 let is_first = self.rows.is_empty() && self.resolved.is_empty();
@@ -340,6 +342,13 @@ impl<'a> Curve<'a> {
         Ok(())
     }
 
+    /// Central film by formula at `value`, under the conditions of the `points`.
+    fn formula(&self, points: &[Point], value: f64) -> Option<f64> {
+        let (mut scene, mut conditions) = (self.scene.clone(), points.first()?.conditions);
+        self.columns.over.set(&mut scene, &mut conditions, value);
+        Some(scene.formula_film().ok()??.map.central)
+    }
+
     /// Prints a warning and keeps it for the report.
     fn warn(&mut self, text: String) {
         self.bar.suspend(|| output::complain("warning", &text));
@@ -352,11 +361,7 @@ impl<'a> Curve<'a> {
         if !self.rows.is_empty() {
             written.push(self.csv.0.clone());
             if self.options.output.plot {
-                let chart = chart::chart(
-                    &output::stem(&self.options.scene),
-                    self.columns,
-                    [&self.rows, &self.resolved],
-                );
+                let chart = chart::chart(&output::stem(&self.options.scene), self);
                 written.extend(picture::write(&chart, &self.options.output.out, name)?);
             }
         }

@@ -47,7 +47,14 @@ pub(super) fn write(
         let (unit, factor) = (unit.trim_end_matches(')'), quantity.factor);
         table.push(Number { name, key: quantity.column, unit, factor, error: ErrorOf::Absolute(error) });
     }
+    table.push(Number {
+        name: "film by formula",
+        key: "film_formula_m",
+        unit: "nm",
+        factor: 1e9,
+        error: ErrorOf::None,
+    });
     report.table(&rows(numbers, "curve", &table, ROWS));
-    report.chart(&chart::chart(&output::stem(scene), columns, [&curve.rows, &curve.resolved]))?;
+    report.chart(&chart::chart(&output::stem(scene), curve))?;
     report.write(path)
 }

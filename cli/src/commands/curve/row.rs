@@ -105,11 +105,13 @@ pub(super) struct Row {
     surfaces: usize,
     pub(super) model: SolverModel,
     pub(super) values: [Option<Value>; QUANTITIES.len()],
+    /// Central film of the smooth contact by formula \[m\].
+    pub(super) formula: Option<f64>,
 }
 
 impl Row {
     /// That of the converged `solutions`, one for each surface; none without any.
-    pub(super) fn of(at: f64, solutions: &[&ContactSolution]) -> Option<Self> {
+    pub(super) fn of(at: f64, solutions: &[&ContactSolution], formula: Option<f64>) -> Option<Self> {
         let all = |get: fn(&ContactSolution) -> Option<f64>| -> Option<Vec<f64>> {
             solutions.iter().map(|solution| get(solution)).collect()
         };
@@ -122,7 +124,7 @@ impl Row {
             Some(Value { mean, sd, error })
         });
         let model = solutions.first()?.model.unwrap_or_default();
-        Some(Self { at, surfaces: solutions.len(), model, values })
+        Some(Self { at, surfaces: solutions.len(), model, values, formula })
     }
 
     /// Names and values of the columns; a value that is not known is `None`.
@@ -159,7 +161,10 @@ impl Row {
 
     pub(super) fn to_json(&self, columns: Columns) -> Json {
         let cells = self.cells(columns).into_iter().map(|(name, value)| (name, Json::from(value)));
-        let model = [("model".to_owned(), Json::from(self.model_name()))];
+        let model = [
+            ("model".to_owned(), Json::from(self.model_name())),
+            ("film_formula_m".to_owned(), Json::from(self.formula)),
+        ];
         Json::Object(cells.chain(model).collect::<Map<_, _>>())
     }
 
@@ -177,7 +182,13 @@ impl Row {
 
 /// The headings of a file.
 pub(super) fn csv_header(columns: Columns) -> String {
-    let empty = Row { at: 0.0, surfaces: 0, model: SolverModel::Resolved, values: [None; QUANTITIES.len()] };
+    let empty = Row {
+        at: 0.0,
+        surfaces: 0,
+        model: SolverModel::Resolved,
+        values: [None; QUANTITIES.len()],
+        formula: None,
+    };
     let names = empty.cells(columns).into_iter().map(|(name, _)| name);
     names.chain(["model".to_owned()]).collect::<Vec<_>>().join(",")
 }

@@ -15,7 +15,7 @@ use stribeck::sim::{ErrorEstimate, HistoryMeans, MixedLubricationSim, Observer, 
 use super::plan::Plan;
 use super::{Options, ROUNDING, picture_folder};
 use crate::commands::contact_pictures::{Seen, maps};
-use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, VERMILION, XScale};
+use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION, extremes};
 use crate::report::{self, Fields, Report};
 use crate::{files, interrupt, output};
 
@@ -150,7 +150,7 @@ impl Observer for Log {
         self.bar.set_position(done);
         // Without a terminal a line after each tenth of the steps.
         if self.bar.is_hidden() && (done.is_multiple_of(self.steps.div_ceil(10)) || done == self.steps) {
-            let line = format!("{done} of {} steps, {:.1} s of the test", self.steps, record.time);
+            let line = format!("{done} of {} steps, {} of the test", self.steps, output::time(record.time));
             let _ = writeln!(io::stderr(), "{line}");
         }
         self.records.push(record.clone());
@@ -182,7 +182,7 @@ fn seen<'a>(
 ) -> Seen<'a> {
     let time = record.map_or(0.0, |record| record.time);
     Seen {
-        title: format!("{name} after {time:.0} s").trim_start().to_owned(),
+        title: format!("{name} after {}", output::time(time)).trim_start().to_owned(),
         grid: sim.grid(),
         hertz: sim.hertz(),
         state,
@@ -201,7 +201,25 @@ fn with_band(records: &[StepRecord], mut line: Line, error: fn(&ErrorEstimate, f
     line
 }
 
-/// Friction, share of the load on solids, film over roughness, wear and tribofilm over time.
+/// Steps of a running mean.
+const MEAN_STEPS: usize = 25;
+
+/// The mean of the first of the `lines` over steps around each, where it has many.
+fn running_mean(lines: &[Line]) -> Option<Line> {
+    let points = &lines.first()?.points;
+    let (low, high) = extremes(points.iter().map(|point| point.1));
+    // A line that is level but for rounding is its own mean.
+    if points.len() < 4 * MEAN_STEPS || high - low <= 1e-6 * high.abs() {
+        return None;
+    }
+    let means = points.windows(MEAN_STEPS).map(|window| {
+        let mean = window.iter().map(|point| point.1).sum::<f64>() / window.len() as f64;
+        (window[MEAN_STEPS / 2].0, mean)
+    });
+    Some(Line { name: "mean of 25 steps", colour: VERMILION, points: means.collect(), bands: Vec::new() })
+}
+
+/// Friction, share of the load on solids, mean film, film over roughness, wear and tribofilm over time.
 fn history(name: &str, records: &[StepRecord]) -> Chart {
     let line = |name, colour, value: fn(&StepRecord) -> f64| Line {
         name,
@@ -209,7 +227,7 @@ fn history(name: &str, records: &[StepRecord]) -> Chart {
         points: records.iter().map(|record| (record.time, value(record))).collect(),
         bands: Vec::new(),
     };
-    let panel = |y_label: &str, lines| Panel { y_label: y_label.to_owned(), lines, highest: None };
+    let panel = |y_label: &str, lines| Panel::new(y_label, lines);
     let mut panels = vec![
         panel(
             "friction",
@@ -232,6 +250,11 @@ fn history(name: &str, records: &[StepRecord]) -> Chart {
             )],
         ),
     ];
+    let film = with_band(records, line("", BLUE, |r| 1e9 * r.film.mean_central), |error, value| {
+        error.film_mean_central * value
+    });
+    panels.insert(2, panel("mean film (nm)", vec![film]));
+    panels.iter_mut().for_each(|panel| panel.lines.extend(running_mean(&panel.lines)));
     let grows =
         |value: fn(&StepRecord) -> [f64; 2]| records.iter().any(|r| value(r).iter().any(|v| *v > 0.0));
     if grows(|r| r.wear.in_contact()) {
@@ -248,5 +271,5 @@ fn history(name: &str, records: &[StepRecord]) -> Chart {
         ];
         panels.push(panel("tribofilm (nm)", lines));
     }
-    Chart { title: format!("{name}: history"), x_label: "time (s)", x_scale: XScale::Linear, panels }
+    Chart { title: format!("{name}: history"), x_label: "time (s)", x_scale: Scale::Linear, panels }
 }

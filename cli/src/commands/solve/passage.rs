@@ -13,7 +13,7 @@ use stribeck::sim::{MixedLubricationSim, PassageNumbers, PassageSolution, Scatte
 
 use super::{Options, write_fields};
 use crate::output::{self, Held, Outcome};
-use crate::picture::{self, BLUE, Chart, Line, Panel, XScale};
+use crate::picture::{self, BLUE, Chart, Line, Panel, Scale};
 use crate::report::{self, ErrorOf, Number, Report};
 use crate::{files, interrupt};
 
@@ -285,12 +285,12 @@ fn chart(name: &str, solution: &PassageSolution) -> Chart {
             solution.records.iter().map(|record| (1e6 * record.time, factor * value(record))).collect();
         let line = Line { name: "", colour: BLUE, points, bands: Vec::new() };
         let y_label = if unit.is_empty() { label.to_owned() } else { format!("{label} ({unit})") };
-        Panel { y_label, lines: vec![line], highest: None }
+        Panel::new(y_label, vec![line])
     });
     Chart {
         title: format!("Passage of {name}"),
         x_label: "time (µs)",
-        x_scale: XScale::Linear,
+        x_scale: Scale::Linear,
         panels: panels.into(),
     }
 }
