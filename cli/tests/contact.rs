@@ -40,7 +40,7 @@ fn solve_has_the_numbers_of_the_library_and_draws_them() {
         "rough_maps",
         &["film (nm)", "pressure (GPa)", "theta", "x (µm)", "converged"],
     );
-    assert_pictures(&pictures, "rough_profile", &["pressure (GPa)", "film (nm)", "fluid", "x (µm)"]);
+    assert_pictures(&pictures, "rough_profile", &["pressure (GPa)", "film (nm)", "fluid", "Hertz", "x (µm)"]);
     assert!(std::fs::read(&fields).unwrap().starts_with(b"PK"));
     let report = String::from_utf8(stribeck(&["solve", text(&scene)]).stdout).unwrap();
     assert!(report.starts_with("converged by") && report.contains("\nfriction "), "{report}");

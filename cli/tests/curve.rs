@@ -48,7 +48,11 @@ fn the_curve_is_that_of_its_speeds() {
     let row: Vec<&str> = table.lines().nth(2).unwrap().split(',').collect();
     assert_eq!(row[1].parse::<f64>().unwrap(), solution.friction.coefficient);
     assert_eq!(table.lines().count(), 4);
-    assert_pictures(folder.path(), "rough_curve", &["Stribeck curve", "entrainment speed (m/s)", "friction"]);
+    assert_pictures(
+        folder.path(),
+        "rough_curve",
+        &["Stribeck curve", "entrainment speed (m/s)", "friction", "smooth, by formula"],
+    );
 }
 
 /// Rows, points and bands of a curve over `surfaces` of few cells.

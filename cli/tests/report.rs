@@ -75,7 +75,12 @@ fn report_of_a_curve_has_a_row_for_each_value() {
     let folder = tempfile::tempdir().unwrap();
     let scene = repository("examples/scenes/line.toml");
     let arguments = ["curve", "--over", "load", "--points", "3", "--out", text(folder.path())];
-    reported(folder.path(), &arguments, &scene, &["curve.0.load_N_m", "curve.2.film_mean_central_m"]);
+    reported(
+        folder.path(),
+        &arguments,
+        &scene,
+        &["curve.0.load_N_m", "curve.2.film_mean_central_m", "curve.2.film_formula_m"],
+    );
 }
 
 #[test]

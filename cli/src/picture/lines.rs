@@ -255,3 +255,35 @@ fn runs_below(points: &[(f64, f64)], top: f64) -> Vec<Vec<(f64, f64)>> {
     runs.retain(|run| !run.is_empty());
     runs
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Line, Panel, SeriesLabelPosition};
+    use crate::picture::BLUE;
+
+    fn corner(points: Vec<(f64, f64)>) -> SeriesLabelPosition {
+        let line = Line { name: "film", colour: BLUE, points, bands: Vec::new() };
+        Panel::new("film", vec![line]).free_corner(&(0.0..1.0), &(0.0..1.0))
+    }
+
+    #[test]
+    fn legend_lies_in_a_corner_without_points() {
+        assert!(matches!(corner(vec![(0.0, 0.0), (1.0, 1.0)]), SeriesLabelPosition::UpperLeft));
+        let level = (0..=10).map(|k| (0.1 * f64::from(k), 0.95)).collect();
+        assert!(matches!(corner(level), SeriesLabelPosition::LowerLeft));
+    }
+
+    #[test]
+    fn logarithmic_panel_leaves_out_values_that_are_not_positive() {
+        let points = vec![(0.0, 100.0), (1.0, 0.0), (2.0, -1.0)];
+        let bands = vec![(0.0, [10.0, 1000.0]), (1.0, [-1.0, 1.0])];
+        let line = Line { name: "", colour: BLUE, points, bands };
+        let panel = Panel::logarithmic("film (nm)", vec![line]);
+        let line = &panel.lines[0];
+        assert!(
+            (line.points[0].1 - 2.0).abs() < 1e-15 && line.points[1].1.is_nan() && line.points[2].1.is_nan()
+        );
+        assert!(line.bands.len() == 1 && (line.bands[0].1[1] - 3.0).abs() < 1e-15);
+        assert_eq!(panel.y_range(), 1.0..3.0);
+    }
+}

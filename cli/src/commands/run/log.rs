@@ -181,8 +181,9 @@ fn seen<'a>(
     record: Option<&StepRecord>,
 ) -> Seen<'a> {
     let time = record.map_or(0.0, |record| record.time);
+    let after = if time < 10.0 { output::time(time) } else { format!("{time:.0} s") };
     Seen {
-        title: format!("{name} after {}", output::time(time)).trim_start().to_owned(),
+        title: format!("{name} after {after}").trim_start().to_owned(),
         grid: sim.grid(),
         hertz: sim.hertz(),
         state,
