@@ -201,7 +201,7 @@ fn chart_data(chart: &Chart) -> Value {
         let y = |y: f64| if is_log { short(10_f64.powf(y)) } else { short(y) };
         let lines = panel.lines.iter().map(|line| {
             let band = |x: f64, side: usize| {
-                line.bands.iter().find(|(at, _)| *at == x).map_or(Value::Null, |(_, edges)| y(edges[side]))
+                line.bands.iter().find(|(at, _)| at.to_bits() == x.to_bits()).map_or(Value::Null, |(_, edges)| y(edges[side]))
             };
             let bands = [0, 1].map(|side| line.points.iter().map(|(at, _)| band(*at, side)).collect::<Vec<_>>());
             let colour = line.colour;

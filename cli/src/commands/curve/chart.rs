@@ -83,7 +83,10 @@ fn means(curve: &Curve<'_>, value: &dyn Fn(&ContactSolution) -> Option<f64>) -> 
             && solution.model.unwrap_or_default() == row.model
     };
     let points = curve.rows.iter().filter_map(|row| {
-        let at = curve.points.iter().filter(|point| curve.columns.over.of(&point.conditions) == row.at);
+        let at = curve
+            .points
+            .iter()
+            .filter(|point| curve.columns.over.of(&point.conditions).to_bits() == row.at.to_bits());
         let values: Vec<f64> = at
             .filter(|point| is_curve(row, &point.solution))
             .filter_map(|point| value(&point.solution))
