@@ -146,7 +146,6 @@ pub(super) fn base64(bytes: &[u8]) -> String {
 }
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use stribeck::Grid;
     use stribeck::sim::Scene;

@@ -166,7 +166,7 @@ fn scene_text(scene: &str) -> String {
                 .all(|letter| matches!(letter, '0'..='9' | '.' | ',' | ' ' | 'e' | '-' | '+' | '_'))
     };
     let lines: Vec<&str> = scene.trim_end().lines().collect();
-    let parts = lines.chunk_by(|a, b| is_numbers(&a) == is_numbers(&b)).map(|part| match part {
+    let parts = lines.chunk_by(|a, b| is_numbers(a) == is_numbers(b)).map(|part| match part {
         [first, rest @ ..] if is_numbers(first) && rest.len() > 1 => {
             let [first, more] = [escape(first), escape(&rest.join("\n"))];
             let cut = format!("  ... {} lines ...", rest.len());
