@@ -43,7 +43,7 @@ pub use dry::Dry;
 pub use evaluation::Evaluation;
 pub(crate) use flow::require_spin;
 pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearThinning};
-pub use given_film::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
+pub use given_film::{Feed, FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 pub use journal::{JournalBearing, JournalSolution};
 pub use multigrid::Multigrid;
 pub use newton_krylov::{NewtonKrylov, NewtonSettings};

@@ -15,7 +15,7 @@
 //! continuous at zero.
 
 use super::film::FilmThickness;
-use super::{GivenFilm, SideEdges};
+use super::{EAST, GivenFilm, NORTH, SOUTH, SideEdges, WEST};
 use crate::lubricant::Lubricant;
 use crate::numerics::STENCIL;
 
@@ -57,12 +57,12 @@ pub(super) struct Flow {
     terms: f64,
 }
 
-/// Flow through the edges of the box \[m\].
+/// Flow through the edges of the box and from the feeds \[m\].
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct BoundaryFlux {
-    /// Inflow through all edges.
+    /// Inflow through all edges and feeds.
     pub(super) inflow: f64,
-    /// Outflow through all edges.
+    /// Outflow through all edges and feeds.
     pub(super) outflow: f64,
     /// Bound on the rounding error of the sum of all absolute imbalances \[m\].
     pub(super) rounding: f64,
@@ -98,10 +98,14 @@ pub(super) struct Balance<'a> {
     pub(super) lubricant: &'a Lubricant,
     /// Cavitation pressure \[Pa\].
     pub(super) cavitation: f64,
-    /// Pressure at the edges across x \[Pa\].
-    pub(super) ambient: f64,
-    /// `12 eta_0 u` \[Pa m\].
+    /// Mean pressure of the edges \[Pa\].
+    pub(super) edge_mean: f64,
+    /// `12 eta_0 u` \[Pa m\]; without entrainment `u` is 1 m/s.
     pub(super) drag: f64,
+    /// 1, or 0 without entrainment.
+    pub(super) entrained: f64,
+    /// Nodes with the pressure of a feed \[Pa\].
+    fed: Vec<Option<f64>>,
     /// Intervals along x from edge to edge of the box, `nx + 1` per row.
     faces: Vec<Face>,
     /// Conductances along y, times `dx / dy`, `ny + 1` rows \[m/Pa\].
@@ -111,8 +115,8 @@ pub(super) struct Balance<'a> {
     /// Growth of the outflow of a full node with its pressure, over the growth with a film that ruptures
     /// downstream of it.
     rupture_ratio: Vec<f64>,
-    /// The fluid at the edges across x.
-    edge: Fluid,
+    /// The fluid at the edges west, east, south and north.
+    edges: [Fluid; 4],
     /// Density ratio where the film is cavitated.
     pub(super) cavitated_density: f64,
     /// Reduced pressure there \[Pa\].
@@ -132,18 +136,19 @@ fn point(lubricant: &Lubricant, pressure: f64) -> [f64; 4] {
 }
 
 impl<'a> Balance<'a> {
-    /// The balance of `film` under the conditions of `problem`, entrained with `speed` along +x.
+    /// The balance of `film` under the conditions of `problem`, entrained with `speed` along +x, 0 or more.
     pub(super) fn new(problem: &GivenFilm<'a>, film: &'a FilmThickness, speed: f64) -> Self {
         let grid = film.grid();
         let (nx, ny) = (grid.nx(), grid.ny());
-        let drag = 12.0 * problem.lubricant.viscosity().viscosity(0.0) * speed;
+        let (entrained, unit) = if speed > 0.0 { (1.0, speed) } else { (0.0, 1.0) };
+        let drag = 12.0 * problem.lubricant.viscosity().viscosity(0.0) * unit;
         let mut faces = Vec::with_capacity((nx + 1) * ny);
         for (j, i) in (0..ny).flat_map(|j| (0..=nx).map(move |i| (j, i))) {
             let [first, second] = film.along(i, j).pieces;
             let whole = first.and(second);
             faces.push(Face {
-                film: whole.film(),
-                first_film: first.film(),
+                film: entrained * whole.film(),
+                first_film: entrained * first.film(),
                 conductance: 1.0 / (drag * whole.cubes),
                 first_conductance: 1.0 / (drag * first.cubes),
             });
@@ -156,39 +161,43 @@ impl<'a> Balance<'a> {
             across.push(if shut { 0.0 } else { aspect / (drag * film.across(i, j)) });
         }
         let [q_cavitation, slope, density, _] = point(problem.lubricant, problem.cavitation_pressure);
-        let [q_ambient, _, ambient_density, _] = point(problem.lubricant, problem.ambient_pressure);
+        let edges = problem.edge_pressures.map(|pressure| {
+            let [q, _, density, _] = point(problem.lubricant, pressure);
+            Fluid { potential: q - q_cavitation, density, theta: 1.0, ..Fluid::default() }
+        });
         let (mut scale, mut rupture_ratio) = (Vec::with_capacity(grid.len()), Vec::with_capacity(grid.len()));
         for (j, i) in (0..ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
             let k = j * nx + i;
             let [west, east] = [0, 1].map(|side| faces[j * (nx + 1) + i + side]);
             let conductances = west.conductance + east.conductance + across[k] + across[k + nx];
-            scale.push(density * east.film / (slope * conductances));
+            let [first, second] = film.along(i + 1, j).pieces;
+            scale.push(density * first.and(second).film() / (slope * conductances));
             rupture_ratio.push(conductances / (conductances - east.conductance + east.first_conductance));
         }
         Self {
             film,
             lubricant: problem.lubricant,
             cavitation: problem.cavitation_pressure,
-            ambient: problem.ambient_pressure,
+            edge_mean: 0.25 * problem.edge_pressures.iter().sum::<f64>(),
             drag,
+            entrained,
+            fed: problem.fed(grid),
             faces,
             across,
             scale,
             rupture_ratio,
-            edge: Fluid {
-                potential: q_ambient - q_cavitation,
-                density: ambient_density,
-                theta: 1.0,
-                ..Fluid::default()
-            },
+            edges,
             cavitated_density: density,
             cavitated_potential: q_cavitation,
             fluids: vec![Fluid::default(); grid.len()],
         }
     }
 
-    /// The unknown of a node at `pressure` and film fraction `theta`.
+    /// The unknown of a node at `pressure` and film fraction `theta`; that of a fed node has its own pressure.
     pub(super) fn unknown(&self, k: usize, pressure: f64, theta: f64) -> f64 {
+        if let Some(pressure) = self.fed[k] {
+            return (pressure - self.cavitation) / self.scale[k];
+        }
         let above = pressure - self.cavitation;
         if above > 0.0 { above / self.scale[k] } else { theta - 1.0 }
     }
@@ -247,6 +256,9 @@ impl<'a> Balance<'a> {
         let nx = self.film.grid().nx();
         for (j, i) in rows.flat_map(|j| (0..nx).map(move |i| (j, i))) {
             let k = j * nx + i;
+            if self.fed[k].is_some() {
+                continue;
+            }
             for _ in 0..LOCAL_STEPS {
                 // Newton step on the net outflow of the cell.
                 let [west, east] = [self.flow_along(i, j), self.flow_along(i + 1, j)];
@@ -269,8 +281,9 @@ impl<'a> Balance<'a> {
     /// The fluid at both ends of the interval along x that ends at node `(i, j)`.
     pub(super) fn ends_along(&self, i: usize, j: usize) -> [Fluid; 2] {
         let nx = self.film.grid().nx();
-        let at = |i: Option<usize>| i.filter(|&i| i < nx).map_or(self.edge, |i| self.fluids[j * nx + i]);
-        [at(i.checked_sub(1)), at(Some(i))]
+        let first = i.checked_sub(1).map_or(self.edges[WEST], |i| self.fluids[j * nx + i]);
+        let second = if i < nx { self.fluids[j * nx + i] } else { self.edges[EAST] };
+        [first, second]
     }
 
     /// The flow along x through the face before node `(i, j)` \[m\].
@@ -311,8 +324,8 @@ impl<'a> Balance<'a> {
     pub(super) fn flow_across(&self, i: usize, j: usize) -> Flow {
         let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
         let c = self.across[j * nx + i];
-        let at = |j: Option<usize>| j.filter(|&j| j < ny).map_or(self.edge, |j| self.fluids[j * nx + i]);
-        let [first, second] = [at(j.checked_sub(1)), at(Some(j))];
+        let first = j.checked_sub(1).map_or(self.edges[SOUTH], |j| self.fluids[j * nx + i]);
+        let second = if j < ny { self.fluids[j * nx + i] } else { self.edges[NORTH] };
         Flow {
             value: c * (first.potential - second.potential),
             by_first: c * first.potential_s,
@@ -320,6 +333,20 @@ impl<'a> Balance<'a> {
             ruptured: false,
             terms: c * (first.potential + second.potential),
         }
+    }
+
+    /// Flows out through the edges west, east, south and north \[m\].
+    pub(super) fn edge_flows(&self) -> [f64; 4] {
+        let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
+        let along = |i: usize| (0..ny).map(|j| self.flow_along(i, j).value).sum::<f64>();
+        let across = |j: usize| (0..nx).map(|i| self.flow_across(i, j).value).sum::<f64>();
+        [-along(0), along(nx), -across(0), across(ny)]
+    }
+
+    /// Net outflow of cell `(i, j)` \[m\].
+    pub(super) fn source(&self, i: usize, j: usize) -> f64 {
+        self.flow_along(i + 1, j).value - self.flow_along(i, j).value + self.flow_across(i, j + 1).value
+            - self.flow_across(i, j).value
     }
 
     /// Net outflow of each cell \[m\], and its derivatives by the unknowns of the cell and its neighbors to
@@ -359,6 +386,13 @@ impl<'a> Balance<'a> {
                 let first = j.checked_sub(1).map(|j| j * nx + i);
                 add(self.flow_across(i, j), first, (j < ny).then_some(j * nx + i), 3);
             }
+        }
+        // A fed node keeps its pressure; its net outflow comes from the feed.
+        for (k, _) in self.fed.iter().enumerate().filter(|(_, fed)| fed.is_some()) {
+            boundary_flux[usize::from(outflow[k] < 0.0)] += outflow[k].abs();
+            outflow[k] = 0.0;
+            stencil[STENCIL * k..STENCIL * (k + 1)].fill(0.0);
+            stencil[STENCIL * k] = 1.0;
         }
         let [inflow, outflow] = boundary_flux;
         BoundaryFlux { inflow, outflow, rounding: ROUNDING * terms }

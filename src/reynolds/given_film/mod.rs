@@ -6,28 +6,38 @@
 //! | file | content |
 //! |---|---|
 //! | `film` | integrals of the film between the nodes |
+//! | `feed` | grooves and holes with a prescribed pressure |
 //! | `balance` | mass balances of the cells |
 //! | `newton`, `linear` | Newton's method; its linear systems |
 //! | `row`, `solution` | pressure profiles of the rows; forces, flows and reformation |
 
 mod balance;
+mod feed;
 mod film;
 mod linear;
 mod newton;
 mod row;
 mod solution;
 
+pub use feed::Feed;
 pub use film::FilmThickness;
 pub use solution::GivenFilmSolution;
 
 use super::ReynoldsError;
 use crate::error::InputError;
+use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
 
 /// Convergence bound, over the inflow, on the sum of the absolute imbalances of all cells (or its rounding
 /// error, if larger) and on the imbalance of the box.
 const IMBALANCE: f64 = 1e-10;
+
+/// Positions of the edges in lists of four: at the smallest and largest x, at the smallest and largest y.
+const WEST: usize = 0;
+const EAST: usize = 1;
+const SOUTH: usize = 2;
+const NORTH: usize = 3;
 
 /// Memory of a solve per node.
 const BYTES: usize = 1200;
@@ -51,7 +61,7 @@ const BYTES: usize = 1200;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum SideEdges {
-    /// Ambient pressure, with unlimited supply of fluid.
+    /// The pressures of these edges, with unlimited supply of fluid.
     #[default]
     Ambient,
     /// No flow: planes of symmetry, or seals. A grid of one row has closed edges.
@@ -66,8 +76,8 @@ pub enum SideEdges {
 /// `(p - p_cav) (1 - theta) = 0`,
 ///
 /// where `u` is the mean of both speeds. Mass is conserved at rupture and reformation. The film is steady: a
-/// textured surface is at rest, and a moving surface is smooth. At the two edges of the box across x, half a
-/// cell beyond the outermost nodes, pressure is ambient and the film is full.
+/// textured surface is at rest, and a moving surface is smooth. At the edges of the box, half a cell beyond the
+/// outermost nodes, pressures are given and the film is full; so it is in [`Feed`]s.
 ///
 /// Pressures may be absolute or relative to ambient. Viscosity and density follow the laws at these
 /// pressures, and at zero for negative ones. A grid of one row represents surfaces that are wide along y,
@@ -101,12 +111,14 @@ pub struct GivenFilm<'a> {
     pub lubricant: &'a Lubricant,
     /// Speeds of the lower and of the upper surface along +x \[m/s\], of any sign.
     pub speeds: [f64; 2],
-    /// Pressure at the edges \[Pa\].
-    pub ambient_pressure: f64,
-    /// Pressure at which the fluid cavitates \[Pa\], at most ambient.
+    /// Pressures at the edges of the smallest and largest x, and of the smallest and largest y \[Pa\].
+    pub edge_pressures: [f64; 4],
+    /// Pressure at which the fluid cavitates \[Pa\], at most that of any edge and feed.
     pub cavitation_pressure: f64,
     /// Boundary condition at the edges across y.
     pub sides: SideEdges,
+    /// Grooves and holes.
+    pub feeds: &'a [Feed],
 }
 
 impl<'a> GivenFilm<'a> {
@@ -117,26 +129,34 @@ impl<'a> GivenFilm<'a> {
             film,
             lubricant,
             speeds,
-            ambient_pressure: 0.0,
+            edge_pressures: [0.0; 4],
             cavitation_pressure: 0.0,
             sides: SideEdges::Ambient,
+            feeds: &[],
         }
     }
 }
 
 with_fields!(<'a> GivenFilm<'a> {
     with_speeds speeds: [f64; 2],
-    with_ambient_pressure ambient_pressure: f64,
+    with_edge_pressures edge_pressures: [f64; 4],
     with_cavitation_pressure cavitation_pressure: f64,
     with_sides sides: SideEdges,
+    with_feeds feeds: &'a [Feed],
 });
 
 impl GivenFilm<'_> {
+    /// The same pressure \[Pa\] at all edges.
+    #[must_use]
+    pub fn with_ambient_pressure(self, pressure: f64) -> Self {
+        self.with_edge_pressures([pressure; 4])
+    }
+
     /// Solves by Newton's method with a direct factorization, from coarser grids to that of the film.
     ///
     /// # Errors
-    /// Speeds or pressures that are not finite, a cavitation pressure above ambient, a grid that exceeds the
-    /// memory.
+    /// Speeds or pressures that are not finite, a cavitation pressure above that of an edge or feed, a feed without a
+    /// node, a grid that exceeds the memory.
     pub fn solve(&self) -> Result<GivenFilmSolution, ReynoldsError> {
         self.solve_unless(|| false)
     }
@@ -151,6 +171,12 @@ impl GivenFilm<'_> {
         solution::solve(self, &interrupted).ok_or(ReynoldsError::Interrupted)
     }
 
+    /// Pressures of the nodes in feeds \[Pa\].
+    fn fed(&self, grid: Grid) -> Vec<Option<f64>> {
+        let at = |point| self.feeds.iter().find(|feed| feed.contains(point)).map(|feed| feed.pressure);
+        grid.nodes().map(at).collect()
+    }
+
     /// Mean speed of both surfaces \[m/s\].
     fn entrainment_speed(&self) -> f64 {
         0.5 * self.speeds[0] + 0.5 * self.speeds[1]
@@ -161,16 +187,20 @@ impl GivenFilm<'_> {
         for (field, value) in [
             ("speeds.0", self.speeds[0]),
             ("speeds.1", self.speeds[1]),
-            ("ambient_pressure", self.ambient_pressure),
             ("cavitation_pressure", self.cavitation_pressure),
         ] {
             InputError::require(value.is_finite(), field, value, "finite")?;
         }
-        InputError::require(
-            self.cavitation_pressure <= self.ambient_pressure,
-            "cavitation_pressure",
-            self.cavitation_pressure,
-            "at most the ambient pressure",
-        )
+        for (edge, pressure) in self.edge_pressures.into_iter().enumerate() {
+            InputError::require(
+                pressure.is_finite() && pressure >= self.cavitation_pressure,
+                &format!("edge_pressures.{edge}"),
+                pressure,
+                "finite and at least the cavitation pressure",
+            )?;
+        }
+        let grid = self.film.grid();
+        let feeds = self.feeds.iter().enumerate();
+        feeds.map(|(index, feed)| feed.validate(index, grid, self.cavitation_pressure)).collect()
     }
 }

@@ -57,7 +57,7 @@ struct Start {
     steps: u64,
 }
 
-/// Solves `problem` with the film `film`, entrained at `speed` along +x; `None` if `interrupted`.
+/// Solves `problem` with the film `film`, entrained at `speed` along +x, 0 or more; `None` if `interrupted`.
 pub(super) fn solve<'a>(
     problem: &GivenFilm<'a>,
     film: &'a FilmThickness,
@@ -158,7 +158,7 @@ fn on_grid<'a>(
     Some(Solved { balance, unknowns, status, residual, boundary_flux, steps, substitutions, coarse_steps })
 }
 
-/// Unknowns interpolated from the coarser grid; ambient pressure on the coarsest.
+/// Unknowns interpolated from the coarser grid; the mean pressure of the edges on the coarsest.
 fn first_unknowns(balance: &Balance<'_>, start: Option<&Start>) -> Vec<f64> {
     let grid = balance.film.grid();
     let at = |start: &Start, field: &[f64], [x, y]: [f64; 2]| {
@@ -172,7 +172,7 @@ fn first_unknowns(balance: &Balance<'_>, start: Option<&Start>) -> Vec<f64> {
                 let pressure = at(start, &start.pressure, [x, y]);
                 balance.unknown(k, pressure, at(start, &start.theta, [x, y]))
             }
-            None => balance.unknown(k, balance.ambient, 1.0),
+            None => balance.unknown(k, balance.edge_mean, 1.0),
         })
         .collect()
 }

@@ -4,7 +4,7 @@
 //! of this profile. The friction on each surface is `theta eta (u_2 - u_1)/h`, with the film fraction `theta`,
 //! plus its share `h/2 dp/dx` of the pressure force. The film reforms where the entrained fluid fills the gap.
 
-use super::GivenFilm;
+use super::{EAST, GivenFilm, WEST};
 use super::film::FilmThickness;
 use super::newton::Solved;
 use crate::grid::Grid;
@@ -42,6 +42,8 @@ pub(super) struct Row {
     pub(super) profile: Vec<[f64; 2]>,
     /// Shear force on the lower and upper surface over the width of the row \[N/m\].
     pub(super) friction: [f64; 2],
+    /// Part of the shear by sliding in cavitated fluid \[N/m\].
+    pub(super) cavitated_shear: f64,
     /// Position of the first reformation \[m\].
     pub(super) reformation: Option<f64>,
 }
@@ -52,15 +54,21 @@ impl Row {
         let grid = problem.film.grid();
         let [west, _] = edges(grid);
         let mut row =
-            Self { profile: Vec::with_capacity(2 * grid.nx() + 3), friction: [0.0; 2], reformation: None };
-        row.profile.push([west, problem.ambient_pressure]);
-        let (mut before, mut x) = (problem.ambient_pressure, west);
+            Self {
+                profile: Vec::with_capacity(2 * grid.nx() + 3),
+                friction: [0.0; 2],
+                cavitated_shear: 0.0,
+                reformation: None,
+            };
+        let [first, last] = [WEST, EAST].map(|edge| problem.edge_pressures[edge]);
+        row.profile.push([west, first]);
+        let (mut before, mut x) = (first, west);
         for i in 0..=grid.nx() {
             let after = if i < grid.nx() {
                 let k = j * grid.nx() + i;
                 solved.balance.pressure(k, solved.unknowns[k])
             } else {
-                problem.ambient_pressure
+                last
             };
             let lengths = lengths(problem.film, i, j);
             row.walk(
@@ -90,7 +98,9 @@ impl Row {
         let density = 0.5 * (first.density + second.density);
         // Rise of the reduced pressure over a full piece.
         let [rise, further] =
-            pieces.map(|piece| balance.drag * (density * piece.squares - flow.value * piece.cubes));
+            pieces.map(|piece| {
+                balance.drag * (balance.entrained * density * piece.squares - flow.value * piece.cubes)
+            });
         let cavitated = first.theta < 1.0;
         let potential = if flow.ruptured {
             0.0
@@ -149,6 +159,9 @@ impl Row {
         let viscosity = problem.lubricant.viscosity().viscosity(0.5 * (from + to));
         let by_sliding = viscosity * theta * sliding * length / film;
         let by_pressure = 0.5 * film * (to - from);
+        if theta < 1.0 {
+            self.cavitated_shear += by_sliding.abs();
+        }
         self.friction[0] += by_sliding - by_pressure;
         self.friction[1] -= by_sliding + by_pressure;
     }

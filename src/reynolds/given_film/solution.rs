@@ -1,6 +1,7 @@
 //! Results of a solve: fields, forces, flows.
 
-use super::GivenFilm;
+use super::balance::Balance;
+use super::{EAST, Feed, GivenFilm, NORTH, SOUTH, WEST};
 use super::newton::{self, Solved};
 use super::row::{Row, edges, lengths};
 use crate::grid::Grid;
@@ -43,11 +44,18 @@ pub struct GivenFilmSolution {
     /// Shear force of the fluid on the lower and on the upper surface along +x \[N\], `S - P` and `-S - P`, with
     /// the integrals `S` of `theta eta (u_2 - u_1)/h` and `P` of `h/2 dp/dx`.
     pub friction: [f64; 2],
+    /// Part of `S` in cavitated fluid, where the film fraction is below one \[N\], its absolute value.
+    pub cavitated_shear: f64,
+    /// Flow out through the edges of the smallest and largest x, and of the smallest and largest y
+    /// \[m^3/s at the density of zero pressure\]; negative where fluid enters.
+    pub edge_flows: [f64; 4],
+    /// Flow into the film from each feed \[m^3/s at the density of zero pressure\].
+    pub feed_flows: Vec<f64>,
     /// Flow out through both edges across y, less the flow in \[m^3/s at the density of zero pressure\].
     pub side_flow: f64,
     /// Power of both surfaces against friction \[W\]: less the sum of forces times speeds.
     pub power_loss: f64,
-    /// Flow into and out of the box \[m^3/s at the density of zero pressure\]; the imbalance is at most 1e-10
+    /// Flow into and out of the box and the feeds \[m^3/s at the density of zero pressure\]; the imbalance is at most 1e-10
     /// if the solve converged.
     pub flow: FlowBalance,
     /// Newton steps on grids coarser than that of the film.
@@ -99,7 +107,12 @@ pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> 
     if speed < 0.0 {
         let film = problem.film.mirrored();
         let speeds = problem.speeds.map(|speed| -speed);
-        let mut solution = forward(&GivenFilm { film: &film, speeds, ..*problem }, -speed, interrupted)?;
+        let [west, east, south, north] = problem.edge_pressures;
+        let edge_pressures = [east, west, south, north];
+        let ends = edges(film.grid());
+        let feeds: Vec<Feed> = problem.feeds.iter().map(|feed| feed.mirrored(ends)).collect();
+        let mirrored = GivenFilm { film: &film, speeds, edge_pressures, feeds: &feeds, ..*problem };
+        let mut solution = forward(&mirrored, -speed, interrupted)?;
         solution.mirror();
         Some(solution)
     } else {
@@ -109,17 +122,19 @@ pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> 
 
 /// Solves with entrainment along +x or without entrainment.
 fn forward(problem: &GivenFilm<'_>, speed: f64, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
-    if speed > 0.0 {
-        newton::solve(problem, problem.film, speed, interrupted).map(|solved| moving(problem, speed, solved))
+    let pressure = problem.edge_pressures[WEST];
+    let feeds = problem.feeds.iter().map(|feed| feed.pressure);
+    if speed > 0.0 || problem.edge_pressures.into_iter().chain(feeds).any(|other| other != pressure) {
+        newton::solve(problem, problem.film, speed, interrupted).map(|solved| flowing(problem, speed, solved))
     } else {
         Some(resting(problem))
     }
 }
 
-/// Without entrainment the pressure is ambient everywhere, and there is no flow.
+/// Without entrainment and with one pressure at all edges and feeds there is no flow.
 fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     let grid = problem.film.grid();
-    let pressure = problem.ambient_pressure;
+    let pressure = problem.edge_pressures[WEST];
     let viscosity = problem.lubricant.viscosity().viscosity(pressure);
     let ways = (0..grid.ny()).flat_map(|j| (0..=grid.nx()).map(move |i| (i, j)));
     let shear = ways.map(|(i, j)| {
@@ -134,6 +149,9 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
         theta: vec![1.0; grid.len()],
         load: pressure * grid.size_x() * grid.size_y(),
         friction: [drag, -drag],
+        cavitated_shear: 0.0,
+        edge_flows: [0.0; 4],
+        feed_flows: vec![0.0; problem.feeds.len()],
         side_flow: 0.0,
         power_loss: drag * (problem.speeds[1] - problem.speeds[0]),
         flow: FlowBalance::default(),
@@ -145,15 +163,14 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     }
 }
 
-/// The solution with entrainment at a positive `speed` along +x.
-fn moving(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilmSolution {
+/// The solution with flow: with entrainment at `speed` along +x, or by pressures alone.
+fn flowing(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilmSolution {
     let grid = problem.film.grid();
     let rows: Vec<Row> = (0..grid.ny()).map(|j| Row::new(problem, &solved, j)).collect();
     let Solved { balance, unknowns, status, residual, boundary_flux, steps, substitutions, coarse_steps } =
         solved;
-    let unit = speed * grid.dy();
-    let sides =
-        (0..grid.nx()).map(|i| balance.flow_across(i, grid.ny()).value - balance.flow_across(i, 0).value);
+    let unit = if speed > 0.0 { speed } else { 1.0 } * grid.dy();
+    let edge_flows = balance.edge_flows().map(|flow| flow * unit);
     let sum = |of: fn(&Row) -> f64| rows.iter().map(of).sum::<f64>() * grid.dy();
     let friction = [sum(|row| row.friction[0]), sum(|row| row.friction[1])];
     GivenFilmSolution {
@@ -161,7 +178,10 @@ fn moving(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilmS
         theta: unknowns.iter().map(|&s| 1.0 + s.min(0.0)).collect(),
         load: sum(Row::load),
         friction,
-        side_flow: sides.sum::<f64>() * unit,
+        cavitated_shear: sum(|row| row.cavitated_shear),
+        edge_flows,
+        feed_flows: feed_flows(problem, &balance).map(|flow| flow * unit).collect(),
+        side_flow: edge_flows[SOUTH] + edge_flows[NORTH],
         power_loss: -friction.iter().zip(problem.speeds).map(|(force, speed)| force * speed).sum::<f64>(),
         flow: FlowBalance {
             inflow: boundary_flux.inflow * unit,
@@ -174,6 +194,19 @@ fn moving(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilmS
         reformation: rows.iter().map(|row| row.reformation).collect(),
         profiles: rows.into_iter().map(|row| row.profile).collect(),
     }
+}
+
+/// Flow from each feed of `problem` \[m\]; a node in several feeds counts for the first.
+fn feed_flows<'p>(
+    problem: &'p GivenFilm<'_>,
+    balance: &'p Balance<'_>,
+) -> impl Iterator<Item = f64> + 'p {
+    let grid = problem.film.grid();
+    let of = move |point| problem.feeds.iter().position(|feed| feed.contains(point));
+    (0..problem.feeds.len()).map(move |index| {
+        let nodes = grid.nodes().enumerate().filter(|(_, point)| of(*point) == Some(index));
+        nodes.map(|(k, _)| balance.source(k % grid.nx(), k / grid.nx())).sum()
+    })
 }
 
 /// The report of this solver.
@@ -190,6 +223,7 @@ impl GivenFilmSolution {
             field.chunks_exact_mut(nx).for_each(<[f64]>::reverse);
         }
         self.friction = self.friction.map(|force| -force);
+        self.edge_flows.swap(WEST, EAST);
         let ends: f64 = edges(self.grid).iter().sum();
         for profile in &mut self.profiles {
             profile.reverse();

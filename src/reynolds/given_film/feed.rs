@@ -1,0 +1,72 @@
+//! Grooves and holes that feed a film.
+
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// A rectangle of a [`GivenFilm`](super::GivenFilm) with a prescribed pressure: a groove, pocket or hole that is deep beside the
+/// film. All nodes within it have its pressure; its edges are resolved to half a cell.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+/// use stribeck::reynolds::{Feed, FilmThickness, GivenFilm};
+/// // Oil of 1 MPa flows from a groove in the middle of a film of 10 um to both edges, 45 mm away.
+/// let grid = Grid::from_edges(100, 1, [0.0, 0.1], [0.0, 1.0])?;
+/// let film = FilmThickness::from_function(grid, |_, _| 1e-5)?;
+/// let oil = Lubricant::new(Barus::new(0.01, 0.0)?, Incompressible);
+/// let groove = [Feed::new([0.045, 0.055], [0.0, 1.0], 1e6)];
+/// let solution = GivenFilm::new(&film, &oil, [0.0, 0.0]).with_feeds(&groove).solve()?;
+/// let exact = 2.0 * 1e-15 * 1e6 / (12.0 * 0.01 * 0.0455); // h^3 p/(12 eta L), from the outermost node of the groove
+/// assert!((solution.feed_flows[0] / exact - 1.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Feed {
+    /// Range along x \[m\].
+    pub x: [f64; 2],
+    /// Range along y \[m\].
+    pub y: [f64; 2],
+    /// Pressure \[Pa\].
+    pub pressure: f64,
+}
+
+impl Feed {
+    /// A feed over the ranges `x` and `y` \[m\] at `pressure` \[Pa\].
+    pub const fn new(x: [f64; 2], y: [f64; 2], pressure: f64) -> Self {
+        Self { x, y, pressure }
+    }
+
+    /// Whether a point is inside.
+    pub(super) fn contains(&self, (x, y): (f64, f64)) -> bool {
+        (self.x[0]..=self.x[1]).contains(&x) && (self.y[0]..=self.y[1]).contains(&y)
+    }
+
+    /// The feed with `x` mirrored about the middle of `ends`.
+    pub(super) fn mirrored(self, ends: [f64; 2]) -> Self {
+        let sum = ends[0] + ends[1];
+        Self { x: [sum - self.x[1], sum - self.x[0]], ..self }
+    }
+
+    /// Error for the feed `index` with a pressure below that of cavitation or without a node.
+    pub(super) fn validate(&self, index: usize, grid: Grid, cavitation: f64) -> Result<(), InputError> {
+        InputError::require(
+            self.pressure.is_finite() && self.pressure >= cavitation,
+            &format!("feeds.{index}.pressure"),
+            self.pressure,
+            "finite and at least the cavitation pressure",
+        )?;
+        if grid.nodes().any(|point| self.contains(point)) {
+            return Ok(());
+        }
+        Err(InputError::Conflict {
+            field: format!("feeds.{index}"),
+            reason: format!(
+                "x from {:e} to {:e} m and y from {:e} to {:e} m have no node of the grid; a larger feed or more cells",
+                self.x[0], self.x[1], self.y[0], self.y[1]
+            ),
+        })
+    }
+}
