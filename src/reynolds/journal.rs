@@ -1,9 +1,9 @@
 //! Journal bearings: films of eccentric circles, load vector, equilibrium under a load.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use super::ReynoldsError;
-use super::given_film::{FilmThickness, GivenFilm, GivenFilmSolution};
+use super::given_film::{Feed, FilmThickness, GivenFilm, GivenFilmSolution};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
@@ -17,10 +17,37 @@ const MOST_CLEARANCE: f64 = 0.1;
 const LOAD_TOLERANCE: f64 = 1e-6;
 /// Most solves of an equilibrium.
 const MOST_SOLVES: usize = 60;
+/// Change of the attitude angle \[rad\] below which grooves keep their position to the line of centers.
+const ATTITUDE_TOLERANCE: f64 = 1e-4;
+/// Most positions of the grooves at one eccentricity.
+const MOST_POSITIONS: usize = 40;
+
+/// Axial grooves in the bush, over the whole width and closed at both sides.
+///
+/// The film begins and ends full, with the pressure of the groove; the groove itself has no friction. The first angle of the list
+/// is where the film begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Grooves<'a> {
+    /// Angles of their middles from the load \[rad\], in the direction of rotation.
+    pub angles: &'a [f64],
+    /// Width along the circumference \[m\].
+    pub width: f64,
+    /// Pressure above ambient \[Pa\].
+    pub pressure: f64,
+}
+
+impl<'a> Grooves<'a> {
+    /// Grooves of the `width` \[m\] and the `pressure` \[Pa\] above ambient at `angles` from the load \[rad\].
+    pub const fn new(angles: &'a [f64], width: f64, pressure: f64) -> Self {
+        Self { angles, width, pressure }
+    }
+}
+
 /// A rigid journal that turns in a rigid bush of finite width, with the film `h = c (1 + e cos phi)`.
 ///
 /// The angle `phi` begins where the gap is widest, in the direction of rotation. There the film is supplied at ambient
-/// pressure; at both sides pressure is ambient too. The film cavitates at ambient pressure with conservation of mass
+/// pressure, unless the bush has [`Grooves`]; at both sides pressure is ambient too. The film cavitates at ambient pressure with conservation of mass
 /// ([`GivenFilm`]). Axes are parallel, the state is steady.
 ///
 /// Short bearings (Ocvirk): `W = eta omega R L^3/(4 c^2) e/(1 - e^2)^2 sqrt(pi^2 (1 - e^2) + 16 e^2)`.
@@ -54,6 +81,8 @@ pub struct JournalBearing<'a> {
     pub lubricant: &'a Lubricant,
     /// Cells around the journal and across the width.
     pub cells: [usize; 2],
+    /// Grooves in the bush.
+    pub grooves: Option<Grooves<'a>>,
 }
 
 /// A solved [`JournalBearing`].
@@ -72,6 +101,8 @@ pub struct JournalSolution {
     pub sommerfeld: f64,
     /// Least film \[m\].
     pub least_film: f64,
+    /// Flow from the grooves \[m^3/s at the density of zero pressure\]; 0 without grooves.
+    pub groove_flow: f64,
     /// The unrolled film: `x = R phi`; the lower surface is the journal.
     pub film: GivenFilmSolution,
 }
@@ -80,12 +111,13 @@ impl<'a> JournalBearing<'a> {
     /// A bearing of `[radius, width, clearance]` \[m\] with the angular speed of its journal \[rad/s\], on 180 x 40 cells.
     pub const fn new(size: [f64; 3], angular_speed: f64, lubricant: &'a Lubricant) -> Self {
         let [radius, width, clearance] = size;
-        Self { radius, width, clearance, angular_speed, lubricant, cells: [180, 40] }
+        Self { radius, width, clearance, angular_speed, lubricant, cells: [180, 40], grooves: None }
     }
 }
 
 with_fields!(<'a> JournalBearing<'a> {
     with_cells cells: [usize; 2],
+    with_grooves grooves: Option<Grooves<'a>>,
 });
 
 impl JournalBearing<'_> {
@@ -153,21 +185,64 @@ impl JournalBearing<'_> {
         Ok(solution)
     }
 
-    /// Solves unless `interrupted`.
+    /// Solves unless `interrupted`; grooves have a fixed angle to the load, whose direction is found by iteration.
     pub(crate) fn solve_unless(
         &self,
         eccentricity: f64,
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
         self.validate(eccentricity)?;
-        let grid =
-            Grid::from_edges(self.cells[0], self.cells[1], [0.0, TAU * self.radius], [0.0, self.width])?;
+        let mut attitude = 0.5 * PI;
+        for _ in 0..MOST_POSITIONS {
+            let solution = self.solve_at(eccentricity, attitude, interrupted)?;
+            let change = (solution.attitude - attitude).abs();
+            if self.grooves.is_none() || eccentricity == 0.0 || change < ATTITUDE_TOLERANCE {
+                return Ok(solution);
+            }
+            attitude = solution.attitude;
+        }
+        Err(InputError::Conflict {
+            field: "grooves".to_owned(),
+            reason: "the direction of the load does not settle; a lower supply pressure or another angle".to_owned(),
+        }
+        .into())
+    }
+
+    /// Solves with grooves at the `attitude` angle of the load.
+    fn solve_at(
+        &self,
+        eccentricity: f64,
+        attitude: f64,
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<JournalSolution, ReynoldsError> {
+        let (sides, circumference) = ([0.0, self.width], TAU * self.radius);
+        // The load points to the angle pi - attitude from the widest gap.
+        let turn = self.angular_speed.signum();
+        let middles: Vec<f64> = self.grooves.map_or_else(Vec::new, |grooves| {
+            grooves.angles.iter().map(|angle| self.radius * (PI + turn * (angle - attitude))).collect()
+        });
+        let (width, pressure) = self.grooves.map_or((0.0, 0.0), |grooves| (grooves.width, grooves.pressure));
+        let start = middles.first().map_or(0.0, |middle| middle + 0.5 * width);
+        let feeds: Vec<Feed> = middles
+            .iter()
+            .skip(1)
+            .map(|middle| start + (middle - start).rem_euclid(circumference))
+            .map(|middle| Feed::new([middle - 0.5 * width, middle + 0.5 * width], sides, pressure))
+            .collect();
+        let ends = [start, start + circumference - width];
+        let grid = Grid::from_edges(self.cells[0], self.cells[1], ends, sides)?;
         let gap = |x: f64| self.clearance * (1.0 + eccentricity * (x / self.radius).cos());
         let film = FilmThickness::from_function(grid, |x, _| gap(x))?;
         let speed = self.angular_speed * self.radius;
-        let solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0]).solve_unless(interrupted)?;
+        let solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0])
+            .with_edge_pressures([pressure, pressure, 0.0, 0.0])
+            .with_feeds(&feeds)
+            .solve_unless(interrupted)?;
         // The film pushes the journal inwards, against the direction of the angle.
-        let force = self.pressure_moments(&solution).map(|moment| -moment);
+        let groove = middles.first().map_or(0.0, |middle| middle / self.radius);
+        let in_groove = 2.0 * pressure * self.radius * self.width * (0.5 * width / self.radius).sin();
+        let [cosine, sine] = self.pressure_moments(&solution);
+        let force = [-cosine - in_groove * groove.cos(), -sine - in_groove * groove.sin()];
         let load = force[0].hypot(force[1]);
         let psi = self.clearance / self.radius;
         let viscosity = self.lubricant.viscosity().viscosity(0.0);
@@ -179,6 +254,11 @@ impl JournalBearing<'_> {
             attitude: force[1].abs().atan2(force[0]),
             sommerfeld: load * psi * psi / (area * viscosity * self.angular_speed.abs()),
             least_film: self.clearance * (1.0 - eccentricity),
+            groove_flow: if self.grooves.is_some() {
+                solution.feed_flows.iter().sum::<f64>() - solution.edge_flows[0] - solution.edge_flows[1]
+            } else {
+                0.0
+            },
             film: solution,
         })
     }
@@ -193,6 +273,33 @@ impl JournalBearing<'_> {
             moments[1] += pressure * grid.cell_area() * sin;
         }
         moments
+    }
+
+    /// Error for grooves that are out of range or overlap.
+    fn validate_grooves(&self, grooves: Grooves<'_>) -> Result<(), InputError> {
+        InputError::require_positive("groove_width", grooves.width)?;
+        InputError::require(
+            grooves.pressure.is_finite() && grooves.pressure >= 0.0,
+            "supply_pressure",
+            grooves.pressure,
+            "finite and at least 0: it is above ambient",
+        )?;
+        let conflict = |reason: &str| {
+            Err(InputError::Conflict {
+                field: format!("groove_angles = {:?} rad", grooves.angles),
+                reason: reason.to_owned(),
+            })
+        };
+        if grooves.angles.is_empty() || !grooves.angles.iter().all(|angle| angle.is_finite()) {
+            return conflict("must be one or more finite angles from the load, in the direction of rotation");
+        }
+        let mut sorted: Vec<f64> = grooves.angles.iter().map(|angle| angle.rem_euclid(TAU)).collect();
+        sorted.sort_by(f64::total_cmp);
+        sorted.extend(sorted.first().map(|first| first + TAU));
+        if sorted.windows(2).any(|pair| (pair[1] - pair[0]) * self.radius <= 2.0 * grooves.width) {
+            return conflict("the grooves must be apart by more than their width; narrower grooves, or other angles");
+        }
+        Ok(())
     }
 
     /// Checks all values.
@@ -212,6 +319,9 @@ impl JournalBearing<'_> {
             self.angular_speed,
             "finite and not 0",
         )?;
+        if let Some(grooves) = self.grooves {
+            self.validate_grooves(grooves)?;
+        }
         let requirement = "at least 0 and below 1: the distance of the axes over the radial clearance";
         InputError::require((0.0..1.0).contains(&eccentricity), "eccentricity", eccentricity, requirement)
     }

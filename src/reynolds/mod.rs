@@ -44,7 +44,7 @@ pub use evaluation::Evaluation;
 pub(crate) use flow::require_spin;
 pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearThinning};
 pub use given_film::{Feed, FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
-pub use journal::{JournalBearing, JournalSolution};
+pub use journal::{Grooves, JournalBearing, JournalSolution};
 pub use multigrid::Multigrid;
 pub use newton_krylov::{NewtonKrylov, NewtonSettings};
 pub use problem::{ContactDefinition, EdgePressure, LubricatedContact, Squeeze};

@@ -67,15 +67,44 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
         ),
         format!("power      {:.4} W{per} lost by friction", numbers.power_loss),
     ]);
-    if solution.film.grid().ny() > 1 {
-        lines.push(format!("side flow  {:.4} ml/s", 1e6 * numbers.side_flow));
-    }
-    lines.push(format!(
-        "oil        {:.4} mPa s at {:.2} degC",
-        1e3 * numbers.eta0,
-        numbers.temperature - 273.15
-    ));
+    lines.extend(flows(bearing, numbers, per));
+    lines.push(format!("oil        {:.4} mPa s at {:.2} degC", 1e3 * numbers.eta0, celsius(numbers.temperature)));
+    lines.extend(heat(numbers, per));
     lines.join("\n")
+}
+
+/// Flows through the edges, and from grooves.
+fn flows(bearing: &RigidBearing, numbers: &BearingNumbers, per: &str) -> Vec<String> {
+    let [start, end, left, right] = numbers.edge_flows.map(|flow| 1e6 * flow);
+    if matches!(bearing.bearing, BearingSpec::Journal { .. }) {
+        let mut lines = vec![format!("side flow  {:.4} ml/s: {left:.4} and {right:.4} ml/s", left + right)];
+        lines.extend(numbers.groove_flow.map(|flow| format!("grooves    {:.4} ml/s", 1e6 * flow)));
+        return lines;
+    }
+    let along = format!("flow       {:.4} ml/s{per} in at the inlet, {end:.4} ml/s{per} out at the outlet", -start);
+    let sides = if per.is_empty() {
+        format!("; {:.4} ml/s out through the sides: {left:.4} and {right:.4} ml/s", left + right)
+    } else {
+        String::new()
+    };
+    vec![format!("{along}{sides}")]
+}
+
+/// The heat balance.
+fn heat(numbers: &BearingNumbers, per: &str) -> Option<String> {
+    let [supply, outlet] = [numbers.supply_temperature?, numbers.outlet_temperature?];
+    let carried = numbers.carried_heat?;
+    Some(format!(
+        "heat       oil in at {:.2} degC, out at {:.2} degC: a rise of {:.2} K by {carried:.4} W{per}, {:.0} % of the power loss",
+        celsius(supply),
+        celsius(outlet),
+        outlet - supply,
+        100.0 * carried / numbers.power_loss
+    ))
+}
+
+fn celsius(temperature: f64) -> f64 {
+    temperature - 273.15
 }
 
 /// Position of a journal and the direction of its load.

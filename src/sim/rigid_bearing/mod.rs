@@ -1,15 +1,22 @@
 //! Rigid bearings of scene files.
 
+mod heat;
+mod relief;
+
 use std::path::Path;
 
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
-use crate::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, JournalBearing, JournalSolution};
+use crate::reynolds::{
+    FilmThickness, GivenFilm, GivenFilmSolution, Grooves, JournalBearing, JournalSolution,
+};
 use crate::sim::contact::oil;
 use crate::sim::contact::warnings::{Warning, given_film_warnings};
 use crate::sim::error::SimError;
-use crate::sim::scene::{BearingFile, BearingSpec, JournalPosition, LubricantSpec, read_tables};
+use crate::sim::scene::{
+    BearingFile, BearingSpec, GrooveSpec, HeatBalance, JournalPosition, LubricantSpec, PadRelief, read_tables,
+};
 use crate::text_file;
 
 /// A rigid bearing by a scene file with the table `[given_film]`.
@@ -31,8 +38,16 @@ pub struct RigidBearing {
     pub bearing: BearingSpec,
     /// The lubricant.
     pub lubricant: LubricantSpec,
-    /// Temperature of the oil \[K\].
+    /// Temperature of the oil without a heat balance \[K\].
     pub temperature: f64,
+    /// Heat balance that determines the temperature of the oil.
+    pub heat: Option<HeatBalance>,
+    /// Pressures at inlet, outlet and both sides of a pad \[Pa\].
+    pub edge_pressures: [f64; 4],
+    /// Relief of a pad.
+    pub relief: Option<PadRelief>,
+    /// Grooves of a journal.
+    pub grooves: Option<GrooveSpec>,
     /// Cells along and across the motion.
     pub cells: [usize; 2],
 }
@@ -61,14 +76,27 @@ pub struct BearingNumbers {
     pub friction_resting: f64,
     /// Friction on the moving surface over the load.
     pub friction_coefficient: f64,
+    /// Shear force on either surface by cavitated fluid \[N\].
+    pub cavitated_shear: f64,
     /// Flow out through both sides \[m^3/s\].
     pub side_flow: f64,
+    /// Flow out through inlet, outlet and both sides of a pad; through both ends of the film of a journal and both sides
+    /// \[m^3/s\]. Negative where oil enters.
+    pub edge_flows: [f64; 4],
+    /// Flow from the grooves of a journal \[m^3/s\].
+    pub groove_flow: Option<f64>,
     /// Power of the moving surface against friction \[W\].
     pub power_loss: f64,
     /// Viscosity at ambient pressure \[Pa s\].
     pub eta0: f64,
-    /// Temperature of the oil \[K\].
+    /// Temperature of the oil \[K\]: with a heat balance the mean of supply and outlet.
     pub temperature: f64,
+    /// Temperature of the supplied oil \[K\].
+    pub supply_temperature: Option<f64>,
+    /// Temperature of the oil at the outlet \[K\].
+    pub outlet_temperature: Option<f64>,
+    /// Power that the oil carries \[W\].
+    pub carried_heat: Option<f64>,
 }
 
 /// A solved bearing.
@@ -91,12 +119,17 @@ impl RigidBearing {
     /// another dimension than its key.
     pub fn from_toml(text: &str) -> Result<Self, SimError> {
         let file: BearingFile = read_tables(text, |_| Vec::new())?;
-        let bearing = file.given_film.spec().map_err(|reason| SimError::Scene {
+        let table = file.given_film;
+        let refused = |reason: String| SimError::Scene {
             reason: format!("given_film: {reason}").replace("missing field", "missing key"),
-        })?;
+        };
         Ok(Self {
-            bearing,
-            cells: file.given_film.cells(),
+            bearing: table.spec().map_err(refused)?,
+            heat: table.heat().map_err(refused)?,
+            edge_pressures: table.edge_pressures().map_err(refused)?,
+            relief: table.relief().map_err(refused)?,
+            grooves: table.grooves().map_err(refused)?,
+            cells: table.cells(),
             lubricant: file.lubricant,
             temperature: file.thermal.bulk_temperature,
         })
@@ -111,34 +144,67 @@ impl RigidBearing {
         let text = text_file::read(path).map_err(|source| SimError::Io { path: path.to_owned(), source })?;
         let is_bearing =
             toml::from_str::<toml::Table>(&text).is_ok_and(|tables| tables.contains_key("given_film"));
-        if is_bearing { Self::from_toml(&text).map(Some) } else { Ok(None) }
+        if !is_bearing {
+            return Ok(None);
+        }
+        let mut bearing = Self::from_toml(&text)?;
+        if let (Some(PadRelief::File { path: file, .. }), Some(folder)) = (&mut bearing.relief, path.parent()) {
+            *file = folder.join(&file);
+        }
+        Ok(Some(bearing))
     }
 
     /// Solves; `interrupted` ends it with an error.
     ///
     /// # Errors
-    /// A value out of range, a load that no eccentricity up to 0.99 carries, an interruption.
+    /// A value out of range, a load that no eccentricity up to 0.99 carries, a heat balance without through-flow, a relief
+    /// that does not fit its pad, an interruption.
     pub fn solve(&self, interrupted: impl Fn() -> bool) -> Result<BearingSolution, SimError> {
-        let lubricant = self.lubricant()?;
+        match &self.heat {
+            None => {
+                InputError::require_positive("thermal.bulk_temperature", self.temperature)?;
+                self.solve_at(self.temperature, &interrupted)
+            }
+            Some(balance) => heat::solve(self, balance, &interrupted),
+        }
+    }
+
+    /// Solves with the oil at `temperature` \[K\].
+    fn solve_at(&self, temperature: f64, interrupted: &dyn Fn() -> bool) -> Result<BearingSolution, SimError> {
+        let lubricant = self.lubricant(temperature)?;
+        let mut solution = self.solve_with(&lubricant, interrupted)?;
+        solution.numbers.temperature = temperature;
+        Ok(solution)
+    }
+
+    /// Solves with `lubricant`.
+    fn solve_with(
+        &self,
+        lubricant: &Lubricant,
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<BearingSolution, SimError> {
         match self.bearing {
             BearingSpec::Journal { diameter, width, clearance, speed, position } => {
                 InputError::require_positive("given_film.diameter", diameter)?;
                 require_speed(speed)?;
                 let radius = 0.5 * diameter;
-                let journal = JournalBearing::new([radius, width, clearance], speed / radius, &lubricant)
-                    .with_cells(self.cells);
+                let grooves = self.grooves.as_ref();
+                let grooves = grooves.map(|spec| Grooves::new(&spec.angles, spec.width, spec.pressure));
+                let journal = JournalBearing::new([radius, width, clearance], speed / radius, lubricant)
+                    .with_cells(self.cells)
+                    .with_grooves(grooves);
                 let solved = match position {
                     JournalPosition::Eccentricity(eccentricity) => {
-                        journal.solve_unless(eccentricity, &interrupted)
+                        journal.solve_unless(eccentricity, interrupted)
                     }
-                    JournalPosition::Load(load) => journal.equilibrium_unless(load, &interrupted),
+                    JournalPosition::Load(load) => journal.equilibrium_unless(load, interrupted),
                 };
                 let solved = solved.map_err(in_table)?;
-                self.journal(&lubricant, speed, clearance, solved)
+                self.journal(lubricant, speed, clearance, solved)
             }
             BearingSpec::Pad { length, width, inlet_film, outlet_film, speed } => {
                 let film = |x: f64| inlet_film + (outlet_film - inlet_film) * x / length;
-                self.pad(&lubricant, [length, width.unwrap_or(1.0), speed], &film, &interrupted)
+                self.pad(lubricant, [length, width.unwrap_or(1.0), speed], &film, interrupted)
             }
             BearingSpec::Step { length, width, inlet_film, outlet_film, step, speed } => {
                 InputError::require(
@@ -148,15 +214,14 @@ impl RigidBearing {
                     "at least 0 and below the length: the length of the part before the step",
                 )?;
                 let film = |x: f64| if x < step { inlet_film } else { outlet_film };
-                self.pad(&lubricant, [length, width.unwrap_or(1.0), speed], &film, &interrupted)
+                self.pad(lubricant, [length, width.unwrap_or(1.0), speed], &film, interrupted)
             }
         }
     }
 
-    /// The lubricant at its temperature.
-    fn lubricant(&self) -> Result<Lubricant, InputError> {
-        let (spec, temperature) = (&self.lubricant, self.temperature);
-        InputError::require_positive("thermal.bulk_temperature", temperature)?;
+    /// The lubricant at `temperature` \[K\].
+    fn lubricant(&self, temperature: f64) -> Result<Lubricant, InputError> {
+        let spec = &self.lubricant;
         let viscosity = oil::viscosity_law(spec, temperature)?;
         let viscosity = viscosity.at_temperature(temperature).unwrap_or(viscosity);
         Ok(Lubricant::from_boxed(viscosity, oil::density_law(spec, temperature)?))
@@ -183,6 +248,7 @@ impl RigidBearing {
             attitude: Some(solved.attitude),
             eccentricity: Some(solved.eccentricity),
             sommerfeld: Some(solved.sommerfeld),
+            groove_flow: self.grooves.is_some().then_some(solved.groove_flow),
             ..self.numbers(lubricant, solved.load, solved.least_film, &solved.film)
         };
         Ok(BearingSolution { numbers, film: solved.film, warnings })
@@ -202,11 +268,16 @@ impl RigidBearing {
         InputError::require_positive("given_film.inlet_film", thickness(0.0))?;
         InputError::require_positive("given_film.outlet_film", thickness(length))?;
         let grid = Grid::from_edges(self.cells[0], self.cells[1], [0.0, length], [0.0, width])?;
-        let film = FilmThickness::from_function(grid, |x, _| thickness(x))?;
-        let problem = GivenFilm::new(&film, lubricant, [speed, 0.0]);
+        let film = relief::film(self.relief.as_ref(), grid, thickness)?;
+        let problem =
+            GivenFilm::new(&film, lubricant, [speed, 0.0]).with_edge_pressures(self.edge_pressures);
         let solved = problem.solve_unless(interrupted).map_err(in_table)?;
         let warnings = given_film_warnings(&problem, &solved);
-        let least = thickness(0.0).min(thickness(length));
+        let least = if self.relief.is_some() {
+            film.nodes().iter().copied().fold(f64::INFINITY, f64::min)
+        } else {
+            thickness(0.0).min(thickness(length))
+        };
         Ok(BearingSolution {
             numbers: self.numbers(lubricant, solved.load, least, &solved),
             film: solved,
@@ -234,10 +305,16 @@ impl RigidBearing {
             friction_moving: -moving,
             friction_resting: resting,
             friction_coefficient: if load > 0.0 { -moving / load } else { f64::NAN },
+            cavitated_shear: film.cavitated_shear,
             side_flow: film.side_flow,
+            edge_flows: film.edge_flows,
+            groove_flow: None,
             power_loss: film.power_loss,
             eta0: lubricant.viscosity().viscosity(0.0),
             temperature: self.temperature,
+            supply_temperature: None,
+            outlet_temperature: None,
+            carried_heat: None,
         }
     }
 }
