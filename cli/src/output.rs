@@ -206,7 +206,7 @@ pub(crate) fn load(path: &Path) -> Result<Scene, String> {
         let text = in_scene(path, plain(error).as_ref());
         if text.contains("unknown key `given_film`") {
             return format!(
-                "{}: [given_film] is a rigid bearing, which `stribeck solve` takes",
+                "{}: [given_film] is a rigid bearing, which `stribeck solve` and `curve` take",
                 path.display()
             );
         }

@@ -59,6 +59,8 @@ impl SolvedFilm {
         numbers.set_item("force", dictionary!(py, { "lower": lower, "upper": upper }))?;
         numbers.set_item("flow", named(py, &self.0.flow)?)?;
         numbers.set_item("side_flow", self.0.side_flow)?;
+        numbers.set_item("edge_flows", self.0.edge_flows.to_vec())?;
+        numbers.set_item("cavitated_shear", self.0.cavitated_shear)?;
         numbers.set_item("power_loss", self.0.power_loss)?;
         Ok(numbers)
     }
@@ -110,7 +112,7 @@ pub(crate) fn solve_bearing(py: Python<'_>, path: PathBuf) -> PyResult<RecordPar
 }
 
 /// Solves for pressure and content in `film` on the cells `on`, of an oil of `(eta0, alpha, [density_a, density_b])` between edges of
-/// `(ambient_pressure, cavitation_pressure, closed_sides)`.
+/// `(edge_pressures, cavitation_pressure, closed_sides)`.
 #[pyfunction]
 pub(crate) fn solve_film(
     py: Python<'_>,
@@ -118,9 +120,9 @@ pub(crate) fn solve_film(
     film: Film<'_>,
     speeds: [f64; 2],
     oil: (f64, f64, [f64; 2]),
-    edges: (f64, f64, bool),
+    edges: ([f64; 4], f64, bool),
 ) -> PyResult<SolvedFilm> {
-    let ((eta0, alpha, [a, b]), (ambient, cavitation, closed_sides)) = (oil, edges);
+    let ((eta0, alpha, [a, b]), (pressures, cavitation, closed_sides)) = (oil, edges);
     let film = film.thickness(py, on.0)?;
     let viscosity = value(py, Barus::new(eta0, alpha))?;
     let oil = if a == 0.0 && b == 0.0 {
@@ -131,7 +133,7 @@ pub(crate) fn solve_film(
     let sides = if closed_sides { SideEdges::Closed } else { SideEdges::Ambient };
     let solved = py.detach(|| {
         let problem = GivenFilm::new(&film, &oil, speeds)
-            .with_ambient_pressure(ambient)
+            .with_edge_pressures(pressures)
             .with_cavitation_pressure(cavitation)
             .with_sides(sides);
         let solution = problem.solve_unless(on_signal())?;

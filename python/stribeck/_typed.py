@@ -54,6 +54,8 @@ class Film(Numbers):
     mean_central: float
     minimum_gap: float
     lambda_: float | None
+    minimum_lambda: float | None
+    formula_ratio: float | None
     formula_lambda: float | None
 
 
@@ -87,6 +89,7 @@ class Friction(Numbers):
     coefficient: float
     boundary: float
     fluid: float
+    power_loss: float
 
 
 class Roughness(Numbers):

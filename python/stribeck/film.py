@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,8 @@ __all__ = ["GivenFilm", "RigidBearing", "given_film", "rigid_bearing"]
 
 class RigidBearing(Numbers):
     """A journal bearing or a pad of a scene file. ``load`` [N], ``least_film`` [m], ``pressure_max`` [Pa], ``friction_moving`` and
-    ``friction_resting`` [N], ``friction_coefficient``, ``side_flow`` [m^3/s], ``power_loss`` [W], ``eta0`` [Pa s], ``temperature`` [K],
+    ``friction_resting`` [N], ``friction_coefficient``, ``cavitated_shear`` [N], ``side_flow`` and ``edge_flows`` [m^3/s], ``power_loss`` [W], ``eta0`` [Pa s],
+    ``temperature`` [K], with a heat balance ``supply_temperature``, ``outlet_temperature`` [K] and ``carried_heat`` [W], with grooves ``groove_flow`` [m^3/s],
     ``status``; of a journal ``eccentricity``, ``attitude`` [rad], ``sommerfeld`` and ``force`` [N], towards the widest gap and across."""
 
     __slots__ = ()
@@ -37,10 +38,16 @@ class RigidBearing(Numbers):
     friction_moving: float
     friction_resting: float
     friction_coefficient: float
+    cavitated_shear: float
     side_flow: float
+    edge_flows: list[float]
+    groove_flow: float | None
     power_loss: float
     eta0: float
     temperature: float
+    supply_temperature: float | None
+    outlet_temperature: float | None
+    carried_heat: float | None
     status: str
 
 
@@ -59,7 +66,8 @@ def rigid_bearing(scene: str | os.PathLike[str]) -> RigidBearing:
 
 class GivenFilm(Solved):
     """A film between rigid surfaces. ``load`` [N], ``force.lower`` and ``force.upper`` [N], the shear forces along +x on both
-    surfaces, ``side_flow`` [m^3/s] through the edges across y, ``power_loss`` [W] by friction, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
+    surfaces, ``side_flow`` [m^3/s] through the edges across y, ``edge_flows`` [m^3/s] out through the edges of the smallest and largest x and y,
+    ``cavitated_shear`` [N], the part of the shear force by cavitated fluid, ``power_loss`` [W] by friction, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
     and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
 
     __slots__ = ("_rows", "film", "grid", "pressure", "theta", "warnings")
@@ -67,6 +75,8 @@ class GivenFilm(Solved):
     load: float
     force: Forces
     side_flow: float
+    edge_flows: list[float]
+    cavitated_shear: float
     power_loss: float
     flow: Flow
     #: The cells of the fields.
@@ -132,6 +142,7 @@ def given_film(
     density_a: Quantity = 0.0,
     density_b: Quantity = 0.0,
     ambient_pressure: Quantity = 0.0,
+    edge_pressures: Sequence[Quantity] | None = None,
     cavitation_pressure: Quantity = 0.0,
     closed_sides: bool = False,
 ) -> GivenFilm:
@@ -141,7 +152,8 @@ def given_film(
     by point and may jump anywhere between two nodes. ``grid`` is a ``Grid.box(...)``; one of a single row is a film that is wide along y.
     ``speeds`` [m/s] are those of the lower and the upper surface along x, ``eta0`` [Pa s] and ``alpha`` [1/Pa] the viscosity
     ``eta0 exp(alpha p)``, ``density_a`` and ``density_b`` [1/Pa] those of the density ``1 + a p/(1 + b p)`` over that without pressure (0.6e-9 and
-    1.7e-9 for mineral oils; incompressible by default). Pressure is ``ambient_pressure`` [Pa] at the edges and nowhere below ``cavitation_pressure`` [Pa]; with
+    1.7e-9 for mineral oils; incompressible by default). Pressure is ``ambient_pressure`` [Pa] at the edges, or
+    ``edge_pressures`` at those of the smallest and largest x and y, and nowhere below ``cavitation_pressure`` [Pa]; with
     ``closed_sides`` nothing flows through the edges across y.
 
     Not converging is a status, see :meth:`GivenFilm.require_converged`. What is unlikely to be meant is said as a
@@ -153,7 +165,8 @@ def given_film(
     oil = number("eta0", eta0, "Pa s"), number("alpha", alpha, "1/Pa"), density
     ambient, cavitation = number("ambient_pressure", ambient_pressure, "Pa"), number("cavitation_pressure", cavitation_pressure, "Pa")
     given = film if callable(film) else array("film", film)
-    edges = ambient, cavitation, truth("closed_sides", closed_sides)
+    given_edges = (ambient,) * 4 if edge_pressures is None else tuple(edge_pressures)
+    edges = list(numbers("edge_pressures", given_edges, ("Pa",) * 4)), cavitation, truth("closed_sides", closed_sides)
     solved = GivenFilm._of(solve_film(on, given, [lower, upper], oil, edges), grid)
     say(solved.warnings, 2)
     return solved

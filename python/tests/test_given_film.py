@@ -44,3 +44,16 @@ def test_rigid_bearing_of_a_scene_is_in_equilibrium_with_its_load() -> None:
     assert oil is not None
     # alpha to the power 0.5 in a hard contact, to 2/3 in a light one
     assert 0.45 < oil.film_uncertainty / oil.alpha_uncertainty < 0.72
+
+
+def test_unequal_edge_pressures_drive_the_flow_of_a_slot() -> None:
+    grid = stribeck.Grid.box(24, 18, (0.0, "20 mm"), (0.0, "10 mm"))
+    keys = {"speeds": (0.0, 0.0), "eta0": 0.01, "closed_sides": True}
+    slot = stribeck.given_film(lambda x, y: 2e-5, grid, **keys, edge_pressures=("3 bar", "1 bar", 0.0, 0.0)).require_converged()
+    # h^3 b (p_1 - p_2)/(12 eta L)
+    exact = 2e-5**3 * 0.01 * 2e5 / (12 * 0.01 * 0.02)
+    assert slot.edge_flows[1] == pytest.approx(exact, rel=1e-8)
+    assert slot.edge_flows[0] == pytest.approx(-exact, rel=1e-8)
+    assert slot.cavitated_shear == 0.0
+    with pytest.raises(stribeck.InputError, match=r"edge_pressures"):
+        stribeck.given_film(lambda x, y: 2e-5, grid, **keys, edge_pressures=(0.0, -1.0, 0.0, 0.0))

@@ -203,7 +203,8 @@ impl JournalBearing<'_> {
         }
         Err(InputError::Conflict {
             field: "grooves".to_owned(),
-            reason: "the direction of the load does not settle; a lower supply pressure or another angle".to_owned(),
+            reason: "the direction of the load does not settle; a lower supply pressure or another angle"
+                .to_owned(),
         }
         .into())
     }
@@ -297,7 +298,9 @@ impl JournalBearing<'_> {
         sorted.sort_by(f64::total_cmp);
         sorted.extend(sorted.first().map(|first| first + TAU));
         if sorted.windows(2).any(|pair| (pair[1] - pair[0]) * self.radius <= 2.0 * grooves.width) {
-            return conflict("the grooves must be apart by more than their width; narrower grooves, or other angles");
+            return conflict(
+                "the grooves must be apart by more than their width; narrower grooves, or other angles",
+            );
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 
 mod answers;
 mod disc;
+mod element;
 mod machine;
 mod oil;
 
@@ -54,7 +55,8 @@ const TOUCHING: &str = "contact.load_ratio";
 /// Pressure that steel carries before it yields for good \[Pa\].
 const HARDNESS: &str = "6 GPa";
 
-/// A steel ball on a steel disc in oil, or a machine (--gear, --cam, --reciprocating). Numbers are in SI units or have a unit: "9.525 mm". Without options
+/// A steel ball on a steel disc in oil, a test rig (--rig), a bearing (--bearing, --journal), a roller, or a machine (--gear, --cam,
+/// --reciprocating). Numbers are in SI units or have a unit: "9.525 mm". Without options
 /// and on a terminal each is asked for.
 #[derive(clap::Args)]
 pub(crate) struct Options {
@@ -113,6 +115,8 @@ pub(crate) struct Options {
     )]
     cells: Option<u32>,
     #[command(flatten)]
+    element: element::Options,
+    #[command(flatten)]
     machine: machine::Options,
     /// Write over a file that is there
     #[arg(long)]
@@ -127,6 +131,9 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     files::require_folder(&options.file)?;
     if !options.force && options.file.exists() {
         return Err(format!("{}: the file exists; --force writes over it", options.file.display()).into());
+    }
+    if let Some(outcome) = element::run(options)? {
+        return Ok(outcome);
     }
     if let Some(outcome) = machine::run(options)? {
         return Ok(outcome);

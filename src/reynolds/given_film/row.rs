@@ -4,9 +4,9 @@
 //! of this profile. The friction on each surface is `theta eta (u_2 - u_1)/h`, with the film fraction `theta`,
 //! plus its share `h/2 dp/dx` of the pressure force. The film reforms where the entrained fluid fills the gap.
 
-use super::{EAST, GivenFilm, WEST};
 use super::film::FilmThickness;
 use super::newton::Solved;
+use super::{EAST, GivenFilm, WEST};
 use crate::grid::Grid;
 
 /// The edges of the box across x \[m\].
@@ -53,13 +53,12 @@ impl Row {
     pub(super) fn new(problem: &GivenFilm<'_>, solved: &Solved<'_>, j: usize) -> Self {
         let grid = problem.film.grid();
         let [west, _] = edges(grid);
-        let mut row =
-            Self {
-                profile: Vec::with_capacity(2 * grid.nx() + 3),
-                friction: [0.0; 2],
-                cavitated_shear: 0.0,
-                reformation: None,
-            };
+        let mut row = Self {
+            profile: Vec::with_capacity(2 * grid.nx() + 3),
+            friction: [0.0; 2],
+            cavitated_shear: 0.0,
+            reformation: None,
+        };
         let [first, last] = [WEST, EAST].map(|edge| problem.edge_pressures[edge]);
         row.profile.push([west, first]);
         let (mut before, mut x) = (first, west);
@@ -97,10 +96,9 @@ impl Row {
         let flow = balance.flow_along(i, j);
         let density = 0.5 * (first.density + second.density);
         // Rise of the reduced pressure over a full piece.
-        let [rise, further] =
-            pieces.map(|piece| {
-                balance.drag * (balance.entrained * density * piece.squares - flow.value * piece.cubes)
-            });
+        let [rise, further] = pieces.map(|piece| {
+            balance.drag * (balance.entrained * density * piece.squares - flow.value * piece.cubes)
+        });
         let cavitated = first.theta < 1.0;
         let potential = if flow.ruptured {
             0.0

@@ -1,9 +1,9 @@
 //! Results of a solve: fields, forces, flows.
 
 use super::balance::Balance;
-use super::{EAST, Feed, GivenFilm, NORTH, SOUTH, WEST};
 use super::newton::{self, Solved};
 use super::row::{Row, edges, lengths};
+use super::{EAST, Feed, GivenFilm, NORTH, SOUTH, WEST};
 use crate::grid::Grid;
 use crate::report::{Residuals, SolveReport, Status, Work};
 use crate::reynolds::FlowBalance;
@@ -197,10 +197,7 @@ fn flowing(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilm
 }
 
 /// Flow from each feed of `problem` \[m\]; a node in several feeds counts for the first.
-fn feed_flows<'p>(
-    problem: &'p GivenFilm<'_>,
-    balance: &'p Balance<'_>,
-) -> impl Iterator<Item = f64> + 'p {
+fn feed_flows<'p>(problem: &'p GivenFilm<'_>, balance: &'p Balance<'_>) -> impl Iterator<Item = f64> + 'p {
     let grid = problem.film.grid();
     let of = move |point| problem.feeds.iter().position(|feed| feed.contains(point));
     (0..problem.feeds.len()).map(move |index| {

@@ -117,6 +117,8 @@ impl FrictionFields {
         let fluid = self.shear.iter().sum::<f64>();
         let area = contact.grid.cell_area();
         let outside = contact.far_field.as_ref().map_or(0.0, |far| far.friction_force);
-        Ok(FrictionNumbers::of(boundary * area, fluid * area + outside, contact.hertz.force))
+        let per_load = contact.hertz.per_metre(&contact.grid).force * self.sliding;
+        let forces = [boundary * area, fluid * area + outside];
+        Ok(FrictionNumbers::of(forces, contact.hertz.force, per_load))
     }
 }

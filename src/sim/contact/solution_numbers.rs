@@ -42,8 +42,12 @@ impl fmt::Display for ContactSolution {
         self.write_roughness(f)?;
         writeln!(
             f,
-            "friction   {:.4}: {:.4} of solid contact, {:.4} of the fluid",
-            self.friction.coefficient, self.friction.boundary, self.friction.fluid
+            "friction   {:.4}: {:.4} of solid contact, {:.4} of the fluid; power loss {:.4} W{}",
+            self.friction.coefficient,
+            self.friction.boundary,
+            self.friction.fluid,
+            self.friction.power_loss,
+            if self.is_line() { "/m" } else { "" }
         )?;
         self.write_flow(f)?;
         writeln!(f, "approach   {:.3} nm", self.state.approach * 1e9)?;
@@ -64,10 +68,11 @@ impl ContactSolution {
         let Self { film, contact, .. } = self;
         writeln!(
             f,
-            "film       central {:.3} nm, minimum {:.3} nm, mean {:.3} nm",
+            "film       central {:.3} nm, minimum {:.3} nm, mean {:.3} nm{}",
             film.central * 1e9,
             film.minimum * 1e9,
-            film.mean_central * 1e9
+            film.mean_central * 1e9,
+            film.formula_ratio.map_or_else(String::new, |ratio| format!("; central over formula {ratio:.3}"))
         )?;
         writeln!(
             f,
@@ -96,7 +101,13 @@ impl ContactSolution {
         }
         write!(f, "roughness  composite Rq {:.2} nm", self.roughness.composite_rq * 1e9)?;
         match self.film.lambda {
-            Some(lambda) => writeln!(f, ", lambda {lambda:.3} (mean film over it)"),
+            Some(lambda) => {
+                write!(f, ", lambda {lambda:.3} (mean film over it)")?;
+                match self.film.minimum_lambda {
+                    Some(least) => writeln!(f, ", {least:.3} of the minimum film"),
+                    None => writeln!(f),
+                }
+            }
             None => writeln!(f),
         }
     }

@@ -158,7 +158,7 @@ macro_rules! column {
 }
 
 /// All columns, in the order of a line.
-pub(in crate::sim) static COLUMNS: [Column; 75] = [
+pub(in crate::sim) static COLUMNS: [Column; 78] = [
     column!("", step),
     column!("s", time),
     column!("s", time_step),
@@ -174,6 +174,8 @@ pub(in crate::sim) static COLUMNS: [Column; 75] = [
     column!("m", film.mean_central),
     column!("m", film.minimum_gap),
     column!("", film.lambda),
+    column!("", film.minimum_lambda),
+    column!("", film.formula_ratio),
     column!("", film.formula_lambda),
     column!("Pa", pressure.max),
     column!("Pa", pressure.central),
@@ -189,6 +191,7 @@ pub(in crate::sim) static COLUMNS: [Column; 75] = [
     column!("", friction.coefficient),
     column!("", friction.boundary),
     column!("", friction.fluid),
+    column!("W", friction.power_loss),
     column!("m^3/s", ? flow.inflow),
     column!("m^3/s", ? flow.outflow),
     column!("", ? flow.imbalance),

@@ -38,6 +38,8 @@ pub struct HistoryMeans {
     steps: u64,
     /// Sums over the counted steps, for each column that has a mean; `None` if a step has no value.
     sums: Vec<Option<f64>>,
+    /// Values of the first and of the last step so far; `None` if the step has no value.
+    ends: Vec<[Option<f64>; 2]>,
     /// Number of counted steps so far.
     count: u64,
     /// Number of steps that needed more than one position of the roughness.
@@ -49,20 +51,33 @@ pub struct HistoryMeans {
 impl HistoryMeans {
     /// Means of a history of `steps` steps, before its first step.
     pub fn new(steps: u64) -> Self {
-        Self { steps, sums: averaged().map(|_| Some(0.0)).collect(), count: 0, moved: 0, load_distance: 0.0 }
+        Self {
+            steps,
+            sums: averaged().map(|_| Some(0.0)).collect(),
+            ends: Vec::new(),
+            count: 0,
+            moved: 0,
+            load_distance: 0.0,
+        }
     }
 
     /// Takes in the next step.
     pub fn see(&mut self, record: &StepRecord) {
         self.moved += u64::from(record.attempts > 1);
         self.load_distance += record.load * record.motion.sliding_speed() * record.time_step;
+        let values = averaged().map(|column| number((column.get)(record)));
+        if self.ends.is_empty() {
+            self.ends = values.map(|value| [value; 2]).collect();
+        } else {
+            self.ends.iter_mut().zip(values).for_each(|(ends, value)| ends[1] = value);
+        }
         if record.step + self.steps.div_ceil(10) >= self.steps {
             for (sum, column) in self.sums.iter_mut().zip(averaged()) {
-                *sum = match (column.get)(record) {
-                    Cell::Number(number) if TOTALS.contains(&column.name) => Some(number),
-                    Cell::Number(number) => sum.map(|sum| sum + number),
-                    Cell::Count(count) => sum.map(|sum| sum + count as f64),
-                    Cell::Empty | Cell::Word(_) => None,
+                let value = number((column.get)(record));
+                *sum = if TOTALS.contains(&column.name) {
+                    value
+                } else {
+                    value.and_then(|value| sum.map(|sum| sum + value))
                 };
             }
             self.count += 1;
@@ -86,20 +101,33 @@ impl HistoryMeans {
     }
 }
 
+/// The value of a cell; `None` of an empty one.
+fn number(cell: Cell) -> Option<f64> {
+    match cell {
+        Cell::Number(number) => Some(number),
+        Cell::Count(count) => Some(count as f64),
+        Cell::Empty | Cell::Word(_) => None,
+    }
+}
+
 impl fmt::Display for HistoryMeans {
-    /// One line per result, with its unit. Worn volumes are in mm^3, and in mm^3/(N m) per load and distance.
+    /// A table of the first step, the last step, the mean of the last tenth and the unit, one line per result. Worn volumes are
+    /// in mm^3, and in mm^3/(N m) per load and distance.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, (Column { name, unit, .. }, mean)) in self.named().enumerate() {
-            let end = if index == 0 { "" } else { "\n" };
-            let space = if unit.is_empty() { "" } else { " " };
-            if TOTALS.contains(name) {
-                write!(f, "{end}{name:<28} {:.6e} mm^3", 1e9 * mean)?;
-                if self.load_distance > 0.0 {
-                    write!(f, ", {:.6e} mm^3/(N m)", 1e9 * mean / self.load_distance)?;
-                }
-                continue;
+        write!(f, "{:<28} {:>14} {:>14} {:>14}  unit", "", "first step", "last step", "last tenth")?;
+        for (column, mean) in self.named() {
+            let Column { name, unit, .. } = column;
+            let ends = averaged().zip(&self.ends).find(|(other, _)| other.name == *name);
+            let [first, last] = ends.map_or([None; 2], |(_, ends)| *ends);
+            let is_total = TOTALS.contains(name);
+            let (scale, unit) = if is_total { (1e9, "mm^3") } else { (1.0, *unit) };
+            let cell =
+                |value: Option<f64>| value.map_or_else(String::new, |value| format!("{:.6e}", scale * value));
+            let mean_cell = cell(Some(mean).filter(|_| !is_total));
+            write!(f, "\n{name:<28} {:>14} {:>14} {mean_cell:>14}  {unit}", cell(first), cell(last))?;
+            if is_total && self.load_distance > 0.0 {
+                write!(f, ", {:.6e} mm^3/(N m)", 1e9 * mean / self.load_distance)?;
             }
-            write!(f, "{end}{name:<28} {mean:.6e}{space}{unit}")?;
         }
         Ok(())
     }

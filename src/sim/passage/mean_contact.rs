@@ -40,14 +40,19 @@ impl SimBuilder {
 fn means(records: &[StepRecord], roughness: RoughnessNumbers) -> Numbers {
     let mean = |value: fn(&StepRecord) -> f64| records.iter().map(value).sum::<f64>() / records.len() as f64;
     let mean_central = mean(|record| record.film.mean_central);
+    let minimum = mean(|record| record.film.minimum);
+    let ratio = |record: &StepRecord| record.film.formula_ratio.unwrap_or(f64::NAN);
+    let formula_ratio = records.iter().map(ratio).sum::<f64>() / records.len() as f64;
     let first = records.first();
     Numbers {
         film: FilmNumbers {
             central: mean(|record| record.film.central),
-            minimum: mean(|record| record.film.minimum),
+            minimum,
             mean_central,
             minimum_gap: mean(|record| record.film.minimum_gap),
             lambda: roughness.lambda(mean_central),
+            minimum_lambda: roughness.lambda(minimum),
+            formula_ratio: Some(formula_ratio).filter(|ratio| ratio.is_finite()),
             formula_lambda: first.and_then(|record| record.film.formula_lambda),
         },
         pressure: PressureNumbers {
@@ -69,6 +74,7 @@ fn means(records: &[StepRecord], roughness: RoughnessNumbers) -> Numbers {
             coefficient: mean(|record| record.friction.coefficient),
             boundary: mean(|record| record.friction.boundary),
             fluid: mean(|record| record.friction.fluid),
+            power_loss: mean(|record| record.friction.power_loss),
         },
         roughness,
     }

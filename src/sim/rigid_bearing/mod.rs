@@ -148,7 +148,8 @@ impl RigidBearing {
             return Ok(None);
         }
         let mut bearing = Self::from_toml(&text)?;
-        if let (Some(PadRelief::File { path: file, .. }), Some(folder)) = (&mut bearing.relief, path.parent()) {
+        if let (Some(PadRelief::File { path: file, .. }), Some(folder)) = (&mut bearing.relief, path.parent())
+        {
             *file = folder.join(&file);
         }
         Ok(Some(bearing))
@@ -170,7 +171,11 @@ impl RigidBearing {
     }
 
     /// Solves with the oil at `temperature` \[K\].
-    fn solve_at(&self, temperature: f64, interrupted: &dyn Fn() -> bool) -> Result<BearingSolution, SimError> {
+    fn solve_at(
+        &self,
+        temperature: f64,
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<BearingSolution, SimError> {
         let lubricant = self.lubricant(temperature)?;
         let mut solution = self.solve_with(&lubricant, interrupted)?;
         solution.numbers.temperature = temperature;
@@ -269,8 +274,7 @@ impl RigidBearing {
         InputError::require_positive("given_film.outlet_film", thickness(length))?;
         let grid = Grid::from_edges(self.cells[0], self.cells[1], [0.0, length], [0.0, width])?;
         let film = relief::film(self.relief.as_ref(), grid, thickness)?;
-        let problem =
-            GivenFilm::new(&film, lubricant, [speed, 0.0]).with_edge_pressures(self.edge_pressures);
+        let problem = GivenFilm::new(&film, lubricant, [speed, 0.0]).with_edge_pressures(self.edge_pressures);
         let solved = problem.solve_unless(interrupted).map_err(in_table)?;
         let warnings = given_film_warnings(&problem, &solved);
         let least = if self.relief.is_some() {

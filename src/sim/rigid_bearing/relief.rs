@@ -117,8 +117,7 @@ fn heights(path: &Path, spacing: Option<f64>, grid: Grid) -> Result<Vec<f64>, Si
         }
         (Some(spacing), None) => {
             InputError::require_positive("given_film.spacing", spacing)?;
-            heights =
-                heights.with_spacing(spacing, spacing).map_err(|error| refused(error.to_string()))?;
+            heights = heights.with_spacing(spacing, spacing).map_err(|error| refused(error.to_string()))?;
         }
         (None, Some(_)) => {}
     }

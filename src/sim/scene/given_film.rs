@@ -245,7 +245,10 @@ impl BearingTable {
         match self.edge_pressures.as_deref() {
             None => Ok([0.0; 4]),
             Some(given) => given.try_into().map_err(|_| {
-                format!("`edge_pressures` has {} values, expected 4: inlet, outlet and both sides", given.len())
+                format!(
+                    "`edge_pressures` has {} values, expected 4: inlet, outlet and both sides",
+                    given.len()
+                )
             }),
         }
     }
@@ -272,7 +275,8 @@ impl BearingTable {
 
     /// Grooves of a journal.
     pub(in crate::sim) fn grooves(&self) -> Result<Option<GrooveSpec>, String> {
-        let any = self.groove_angles.is_some() || self.groove_width.is_some() || self.supply_pressure.is_some();
+        let any =
+            self.groove_angles.is_some() || self.groove_width.is_some() || self.supply_pressure.is_some();
         if !any {
             return Ok(None);
         }

@@ -15,7 +15,7 @@ const RANGE: f64 = 100.0;
 /// Lowest load over that of the scene, the highest.
 const LEAST_LOAD: f64 = 0.1;
 /// Temperatures of the viscosity index \[K\].
-const TEMPERATURES: [f64; 2] = [313.15, 373.15];
+pub(super) const TEMPERATURES: [f64; 2] = [313.15, 373.15];
 /// Slide-roll ratios of a traction curve.
 const RATIOS: [f64; 2] = [0.0, 0.5];
 
@@ -168,6 +168,31 @@ impl Axis {
         }
     }
 
+    /// The values of the options, between `usual` ones by default.
+    pub(super) fn spread(
+        self,
+        options: &Options,
+        line: bool,
+        [low, high]: [f64; 2],
+    ) -> Result<Vec<f64>, Box<dyn Error>> {
+        let given = |option: &str, text: &Option<String>| {
+            text.as_deref().map(|text| self.parse(line, option, text)).transpose()
+        };
+        let from = given("--from", &options.from)?.unwrap_or(low);
+        let to = given("--to", &options.to)?.unwrap_or(high);
+        if to <= from {
+            let unit = self.dimension(line).unit_names().next().filter(|_| self != Self::SlideRollRatio);
+            let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
+            return Err(format!("--to = {to}{unit} must be above --from = {from}{unit}").into());
+        }
+        let last = f64::from(options.points - 1);
+        let at = |k: u32| match f64::from(k) / last {
+            share if self.is_logarithmic() => from * (to / from).powf(share),
+            share => from + (to - from) * share,
+        };
+        Ok((0..options.points).map(at).collect())
+    }
+
     /// The value of an option.
     fn parse(self, line: bool, option: &str, text: &str) -> Result<f64, InputError> {
         match self {
@@ -218,14 +243,10 @@ fn follows_temperature(scene: &Scene) -> Result<bool, InputError> {
 /// The values of the curve, about the `own` conditions of the scene, in SI units.
 pub(super) fn values(options: &Options, scene: &Scene, own: &Conditions) -> Result<Vec<f64>, Box<dyn Error>> {
     let (axis, line) = (options.over, scene.form.is_line());
-    let given = |option: &str, text: &Option<String>| {
-        text.as_deref().map(|text| axis.parse(line, option, text)).transpose()
-    };
-    let (from, to) = (given("--from", &options.from)?, given("--to", &options.to)?);
-    let [low, high] = match axis {
+    let usual = match axis {
         Axis::Speed => {
             let own = own.motion.entrainment_speed;
-            if from.is_none() || to.is_none() {
+            if options.from.is_none() || options.to.is_none() {
                 output::require(own > 0.0, "motion.entrainment_speed", own, "finite and > 0")
                     .map_err(|error| output::in_scene(&options.scene, &error))?;
             }
@@ -235,16 +256,5 @@ pub(super) fn values(options: &Options, scene: &Scene, own: &Conditions) -> Resu
         Axis::Load => [LEAST_LOAD * own.load, own.load],
         Axis::Temperature => TEMPERATURES,
     };
-    let (from, to) = (from.unwrap_or(low), to.unwrap_or(high));
-    if to <= from {
-        let unit = axis.dimension(line).unit_names().next().filter(|_| axis != Axis::SlideRollRatio);
-        let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
-        return Err(format!("--to = {to}{unit} must be above --from = {from}{unit}").into());
-    }
-    let last = f64::from(options.points - 1);
-    let at = |k: u32| match f64::from(k) / last {
-        share if axis.is_logarithmic() => from * (to / from).powf(share),
-        share => from + (to - from) * share,
-    };
-    Ok((0..options.points).map(at).collect())
+    axis.spread(options, line, usual)
 }

@@ -1,6 +1,7 @@
 //! `stribeck curve`: friction over speed, slide-roll ratio, load or temperature.
 
 mod axis;
+mod bearing;
 mod chart;
 mod model;
 mod report;
@@ -17,7 +18,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use stribeck::Status;
 use stribeck::sim::scene::{GridSpec, Scene, SolverModel};
-use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, SimError};
+use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, RigidBearing, SimError};
 
 use self::axis::Axis;
 use self::model::{ModelChoice, Plan, Starts, resolved_values};
@@ -31,7 +32,8 @@ const POINTS: u32 = 13;
 const MOST_SURFACES: u64 = 1000;
 
 /// The oil, the surfaces and all other conditions are those of the scene. Each contact is printed and written to a
-/// table (csv) once it is solved; Ctrl-C ends the curve and keeps them.
+/// table (csv) once it is solved; Ctrl-C ends the curve and keeps them. A rigid bearing (table `given_film`) has curves over speed, load
+/// and temperature.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
@@ -107,6 +109,11 @@ struct Curve<'a> {
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
+    if let Some(bearing) = RigidBearing::load(&options.scene)
+        .map_err(|error| output::in_scene(&options.scene, output::plain(error).as_ref()))?
+    {
+        return bearing::run(options, bearing);
+    }
     let scene = output::load(&options.scene)?;
     let start_conditions = axis::start(options, &scene)?;
     let values = axis::values(options, &scene, &start_conditions)?;

@@ -68,7 +68,11 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
         format!("power      {:.4} W{per} lost by friction", numbers.power_loss),
     ]);
     lines.extend(flows(bearing, numbers, per));
-    lines.push(format!("oil        {:.4} mPa s at {:.2} degC", 1e3 * numbers.eta0, celsius(numbers.temperature)));
+    lines.push(format!(
+        "oil        {:.4} mPa s at {:.2} degC",
+        1e3 * numbers.eta0,
+        celsius(numbers.temperature)
+    ));
     lines.extend(heat(numbers, per));
     lines.join("\n")
 }
@@ -81,7 +85,8 @@ fn flows(bearing: &RigidBearing, numbers: &BearingNumbers, per: &str) -> Vec<Str
         lines.extend(numbers.groove_flow.map(|flow| format!("grooves    {:.4} ml/s", 1e6 * flow)));
         return lines;
     }
-    let along = format!("flow       {:.4} ml/s{per} in at the inlet, {end:.4} ml/s{per} out at the outlet", -start);
+    let along =
+        format!("flow       {:.4} ml/s{per} in at the inlet, {end:.4} ml/s{per} out at the outlet", -start);
     let sides = if per.is_empty() {
         format!("; {:.4} ml/s out through the sides: {left:.4} and {right:.4} ml/s", left + right)
     } else {

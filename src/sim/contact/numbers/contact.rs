@@ -33,6 +33,10 @@ pub struct FilmNumbers {
     pub minimum_gap: f64,
     /// `mean_central` over the composite roughness; `None` for smooth surfaces and an unknown film.
     pub lambda: Option<f64>,
+    /// `minimum` over the composite roughness; `None` for smooth surfaces and an unknown film.
+    pub minimum_lambda: Option<f64>,
+    /// `central` over the central film by formula; `None` for a dry contact and an unknown film.
+    pub formula_ratio: Option<f64>,
     /// Central film by formula (Hamrock and Dowson; Dowson and Toyoda for a line contact), with the stated
     /// pressure-viscosity coefficient, over the composite roughness; `None` for smooth surfaces and a dry contact.
     pub formula_lambda: Option<f64>,
@@ -46,6 +50,8 @@ impl FilmNumbers {
         mean_central: f64::NAN,
         minimum_gap: f64::NAN,
         lambda: None,
+        minimum_lambda: None,
+        formula_ratio: None,
         formula_lambda: None,
     };
 
@@ -60,12 +66,16 @@ impl FilmNumbers {
         if model.contact == ContactDefinition::Hard && central < 0.0 {
             return Ok(Self::UNKNOWN);
         }
+        let minimum = metrics::minimum_film(&state.film, &state.pressure)?.unwrap_or(0.0);
+        let formula = model.lubricant.as_ref().map(|_| model.stated_film).filter(|film| *film > 0.0);
         Ok(Self {
             central,
-            minimum: metrics::minimum_film(&state.film, &state.pressure)?.unwrap_or(0.0),
+            minimum,
             mean_central,
             minimum_gap: metrics::minimum_gap(&state.film)?,
             lambda: roughness.lambda(mean_central),
+            minimum_lambda: roughness.lambda(minimum),
+            formula_ratio: formula.map(|formula| central / formula),
             formula_lambda: model.lubricant.as_ref().and_then(|_| roughness.lambda(model.stated_film)),
         })
     }

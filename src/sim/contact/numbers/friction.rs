@@ -25,14 +25,24 @@ pub struct FrictionNumbers {
     pub boundary: f64,
     /// Part of the coefficient from shear of the fluid.
     pub fluid: f64,
+    /// Friction force times sliding speed \[W\], of a line contact per metre.
+    pub power_loss: f64,
 }
 
 impl FrictionNumbers {
     /// Values of a contact whose state is unknown.
-    pub(super) const UNKNOWN: Self = Self { coefficient: f64::NAN, boundary: f64::NAN, fluid: f64::NAN };
+    pub(super) const UNKNOWN: Self =
+        Self { coefficient: f64::NAN, boundary: f64::NAN, fluid: f64::NAN, power_loss: f64::NAN };
 
-    /// From the forces `boundary` and `fluid` \[N\] under `load` \[N\].
-    pub(in crate::sim) fn of(boundary: f64, fluid: f64, load: f64) -> Self {
-        Self { coefficient: (boundary + fluid) / load, boundary: boundary / load, fluid: fluid / load }
+    /// From the forces `boundary` and `fluid` \[N\] under `load` \[N\], with `per_load` the power loss per friction
+    /// coefficient \[W\].
+    pub(in crate::sim) fn of([boundary, fluid]: [f64; 2], load: f64, per_load: f64) -> Self {
+        let coefficient = (boundary + fluid) / load;
+        Self {
+            coefficient,
+            boundary: boundary / load,
+            fluid: fluid / load,
+            power_loss: coefficient * per_load,
+        }
     }
 }

@@ -73,6 +73,13 @@ pub(super) struct Options {
     frequency: Option<f64>,
 }
 
+impl Options {
+    /// Revolutions per minute of the option `--rotation`.
+    pub(super) fn rotation(&self) -> Option<f64> {
+        self.rotation
+    }
+}
+
 /// A contact over a cycle.
 struct Machine {
     /// First line of the scene file.

@@ -1,0 +1,190 @@
+//! Curves of rigid bearings, scenes with the table `[given_film]`, over speed, load or temperature.
+
+use std::error::Error;
+use std::fs::File;
+use std::io::Write as _;
+
+use serde_json::{Value, json};
+use stribeck::sim::scene::{BearingSpec, JournalPosition};
+use stribeck::sim::{BearingNumbers, RigidBearing, SimError};
+use stribeck::{InputError, Status};
+
+use super::Options;
+use super::axis::Axis;
+use crate::output::{self, Outcome};
+use crate::{files, interrupt};
+
+/// Lowest and highest speed and load over those of the scene.
+const SPEEDS: [f64; 2] = [0.1, 10.0];
+const LOADS: [f64; 2] = [0.1, 1.0];
+
+/// Columns of the table behind the quantity that the curve is over.
+const COLUMNS: [(&str, fn(&BearingNumbers) -> f64); 9] = [
+    ("load_N", |numbers| numbers.load),
+    ("eccentricity", |numbers| numbers.eccentricity.unwrap_or(f64::NAN)),
+    ("least_film_m", |numbers| numbers.least_film),
+    ("pressure_max_Pa", |numbers| numbers.pressure_max),
+    ("friction_N", |numbers| numbers.friction_moving),
+    ("friction_coefficient", |numbers| numbers.friction_coefficient),
+    ("power_loss_W", |numbers| numbers.power_loss),
+    ("side_flow_m3_s", |numbers| numbers.side_flow),
+    ("temperature_K", |numbers| numbers.temperature),
+];
+
+/// Computes the curve of `bearing`.
+pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, Box<dyn Error>> {
+    for (option, given) in [
+        ("--seeds", options.seeds.is_some()),
+        ("--resolve", options.resolve.is_some()),
+        ("--plot", options.output.plot),
+    ] {
+        if given {
+            return Err(format!(
+                "{option}: a rigid bearing is one film of smooth surfaces, its curve is a table"
+            )
+            .into());
+        }
+    }
+    let in_scene = |error: &SimError| output::in_scene(&options.scene, error);
+    let own = own_value(&bearing, options.over).map_err(|error| in_scene(&error.into()))?;
+    let values = options.over.spread(options, false, own)?;
+    let path = options.output.out.join(format!(
+        "{}_{}.csv",
+        output::stem(&options.scene),
+        options.over.file_ending()
+    ));
+    files::make_folder(&options.output.out)?;
+    files::claim(std::slice::from_ref(&path), options.output.force, output::OTHER_FOLDER)?;
+    interrupt::listen("the curve ends here and keeps its finished points")?;
+    let mut file = File::create(&path).map_err(|error| files::named(&path, &error))?;
+    let over = options.over.column(false);
+    let columns: Vec<_> = COLUMNS.iter().filter(|(name, _)| *name != over).collect();
+    let names = columns.iter().map(|(name, _)| *name);
+    writeln!(file, "{}", [over].into_iter().chain(names).collect::<Vec<_>>().join(","))?;
+    let (mut points, mut said): (Vec<Value>, Vec<String>) = (Vec::new(), Vec::new());
+    let (mut bearing, mut outcome) = (bearing, Outcome::Converged);
+    for value in values {
+        set(&mut bearing, options.over, value);
+        let words = options.over.words(value, false);
+        let solution = match bearing.solve(interrupt::is_requested) {
+            Ok(solution) => solution,
+            Err(SimError::Reynolds(_)) if interrupt::is_requested() => {
+                outcome = Outcome::NotConverged;
+                break;
+            }
+            // A load that the film does not carry ends no curve.
+            Err(SimError::Input(error)) if options.over != Axis::Temperature => {
+                output::complain("warning", &format!("{words} is left out of the curve: {error}"));
+                outcome = Outcome::NotConverged;
+                continue;
+            }
+            Err(error) => return Err(in_scene(&error).into()),
+        };
+        for warning in solution.warnings.iter().filter(|warning| !said.contains(&warning.field)) {
+            output::complain("warning", &format!("at {words}: {warning}"));
+        }
+        said.extend(solution.warnings.iter().map(|warning| warning.field.clone()));
+        if solution.film.report.status != Status::Converged {
+            let status = solution.film.report.status;
+            output::complain("warning", &format!("{words} is left out of the curve: {status}"));
+            outcome = Outcome::NotConverged;
+            continue;
+        }
+        let cells = columns.iter().map(|(_, number)| number(&solution.numbers));
+        let cells: Vec<String> = [value].into_iter().chain(cells).map(cell).collect();
+        writeln!(file, "{}", cells.join(","))?;
+        if !options.output.json {
+            if points.is_empty() {
+                output::print(&header(options.over))?;
+            }
+            output::print(&line(options.over, value, &solution.numbers))?;
+        }
+        let mut numbers = serde_json::to_value(solution.numbers)?;
+        numbers["over"] = value.into();
+        points.push(numbers);
+    }
+    if points.is_empty() {
+        files::remove(&path);
+        return Err("no point of the curve was solved".into());
+    }
+    if options.output.json {
+        output::print(&json!({ "over": over, "points": points, "version": env!("CARGO_PKG_VERSION") }))?;
+    }
+    output::report_files(std::slice::from_ref(&path), options.output.json)?;
+    Ok(outcome)
+}
+
+/// A number of the table; nothing for NaN.
+fn cell(number: f64) -> String {
+    if number.is_nan() { String::new() } else { format!("{number:e}") }
+}
+
+fn header(over: Axis) -> String {
+    format!(
+        "{:>11} {:>12} {:>12} {:>10} {:>10} {:>12} {:>10}",
+        over.heading(false),
+        "load, N",
+        "film, um",
+        "friction",
+        "power, W",
+        "sides, ml/s",
+        "oil, degC"
+    )
+}
+
+fn line(over: Axis, value: f64, numbers: &BearingNumbers) -> String {
+    format!(
+        "{} {:12.4e} {:12.4} {:10.5} {:10.4} {:12.4} {:10.2}",
+        over.cell(value),
+        numbers.load,
+        1e6 * numbers.least_film,
+        numbers.friction_coefficient,
+        numbers.power_loss,
+        1e6 * numbers.side_flow,
+        numbers.temperature - 273.15
+    )
+}
+
+/// Least and largest value by default.
+fn own_value(bearing: &RigidBearing, over: Axis) -> Result<[f64; 2], InputError> {
+    let refused = |reason: &str| {
+        Err(InputError::Conflict {
+            field: format!("--over {}", if over == Axis::Load { "load" } else { "slide_roll_ratio" }),
+            reason: reason.to_owned(),
+        })
+    };
+    match (over, bearing.bearing) {
+        (
+            Axis::Speed,
+            BearingSpec::Journal { speed, .. }
+            | BearingSpec::Pad { speed, .. }
+            | BearingSpec::Step { speed, .. },
+        ) => Ok(SPEEDS.map(|factor| factor * speed)),
+        (Axis::Load, BearingSpec::Journal { position: JournalPosition::Load(load), .. }) => {
+            Ok(LOADS.map(|factor| factor * load))
+        }
+        (Axis::Load, _) => refused(
+            "the load of this bearing follows from its film; a journal with `load` has a curve over it",
+        ),
+        (Axis::Temperature, _) => Ok(super::axis::TEMPERATURES),
+        _ => refused("one surface of a rigid bearing is at rest; --over speed, load or temperature"),
+    }
+}
+
+/// Sets the quantity to `value`; with a heat balance the temperature is that of the supply.
+fn set(bearing: &mut RigidBearing, over: Axis, value: f64) {
+    match (over, &mut bearing.bearing) {
+        (
+            Axis::Speed,
+            BearingSpec::Journal { speed, .. }
+            | BearingSpec::Pad { speed, .. }
+            | BearingSpec::Step { speed, .. },
+        ) => *speed = value,
+        (Axis::Load, BearingSpec::Journal { position, .. }) => *position = JournalPosition::Load(value),
+        (Axis::Temperature, _) => match &mut bearing.heat {
+            Some(balance) => balance.supply_temperature = value,
+            None => bearing.temperature = value,
+        },
+        _ => {}
+    }
+}

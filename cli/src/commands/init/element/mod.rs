@@ -1,0 +1,187 @@
+//! Scenes of test rigs, rolling bearings, rollers and journal bearings.
+
+mod bearing;
+mod rig;
+
+use std::error::Error;
+
+use stribeck::analytic::HertzPoint;
+use stribeck::sim::{MixedLubricationSim, RigidBearing, Scene};
+use stribeck::units::Dimension;
+
+use super::{Options as Init, STEEL, answers, oil, plain, rounded};
+use crate::output::{self, Outcome};
+
+/// Half a side of the box of a dry contact, in half-widths: room for the scar to grow.
+const DRY_BOX: f64 = 3.0;
+/// Keys of `[grid]` of smooth contacts.
+const ACCURACY: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
+
+/// Options of the elements.
+#[derive(clap::Args)]
+pub(super) struct Options {
+    /// Contact of a test rig with its usual bodies
+    #[arg(long, value_enum, conflicts_with_all = ["gear", "cam", "reciprocating", "bearing", "roller", "journal"])]
+    rig: Option<rig::Rig>,
+    /// Heaviest loaded contact at the inner ring of a rolling bearing under the radial --load, "6205"
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["gear", "cam", "reciprocating", "roller", "journal"])]
+    bearing: Option<String>,
+    /// Steel roller of --radius on a flat
+    #[arg(long, conflicts_with_all = ["gear", "cam", "reciprocating", "journal"])]
+    roller: bool,
+    /// Journal bearing under --load, with grooves and a heat balance
+    #[arg(long, conflicts_with_all = ["gear", "cam", "reciprocating"])]
+    journal: bool,
+}
+
+/// A contact to write.
+struct Element {
+    /// Comment lines at the top: the element, and the source of its geometry.
+    title: String,
+    /// Keys of `[form]`.
+    form: String,
+    /// Named materials of ball and disc.
+    materials: [&'static str; 2],
+    /// Keys of `[load]`.
+    load: String,
+    /// Keys of `[motion]`.
+    motion: String,
+    /// Boundary friction coefficient.
+    boundary: f64,
+    /// Radius and load of a dry contact \[m, N\]; `None` of a lubricated one.
+    dry: Option<[f64; 2]>,
+    /// Keys of `[grid]`, where they are not chosen by accuracy.
+    grid: Option<String>,
+}
+
+/// Writes the scene of the element that the options describe; `None` without one.
+pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
+    let element = &options.element;
+    let text = if let Some(rig) = element.rig {
+        text(options, &rig.element(options)?)?
+    } else if let Some(name) = &element.bearing {
+        text(options, &bearing::element(options, name)?)?
+    } else if element.roller {
+        text(options, &roller(options)?)?
+    } else if element.journal {
+        journal(options)?
+    } else {
+        return Ok(None);
+    };
+    let json = if element.journal {
+        RigidBearing::from_toml(&text)?;
+        serde_json::to_value(toml::from_str::<toml::Table>(&text)?)?
+    } else {
+        let scene = Scene::from_toml(&text)?;
+        output::warn(&MixedLubricationSim::builder(scene.clone()).check_contact()?);
+        serde_json::to_value(&scene)?
+    };
+    super::write(&options.file, &text, options.force)?;
+    if options.json {
+        output::print(&json)?;
+    }
+    output::report_files(std::slice::from_ref(&options.file), options.json)?;
+    Ok(Some(Outcome::Converged))
+}
+
+/// The text of a quantity: that of the option `key`, or the usual one; and its value.
+fn quantity(
+    dimension: Dimension,
+    key: &str,
+    given: Option<&String>,
+    usual: &str,
+) -> Result<(String, f64), Box<dyn Error>> {
+    let text = given.map_or(usual, String::as_str);
+    let value = output::positive(dimension, key, text)?;
+    Ok((if text.parse::<f64>().is_ok() { text.to_owned() } else { format!("{text:?}") }, value))
+}
+
+/// Revolutions per minute.
+fn rotation(options: &Init, usual: f64) -> Result<f64, Box<dyn Error>> {
+    let given = options.machine.rotation().unwrap_or(usual);
+    Ok(output::require(given > 0.0, "--rotation", given, "finite and > 0")?)
+}
+
+/// The tables of the oil: by the options, or of the usual grade at the usual temperature.
+fn oil_tables(options: &Init, grade: &str, celsius: f64) -> Result<String, Box<dyn Error>> {
+    if options.grade.is_some() || options.eta0.is_some() || options.alpha.is_some() {
+        return Ok(oil::tables(options, &answers::answers(options, false, None)?));
+    }
+    Ok(format!(
+        "[lubricant]\ngrade = \"{grade}\" # kinematic viscosity at 40 degC\nviscosity_index = 95 # paraffinic mineral oils\n\n[thermal]\n\
+         bulk_temperature = \"{celsius} degC\" # of the oil in the inlet\n"
+    ))
+}
+
+/// The scene file of `element`.
+fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
+    let Element { title, form, materials: [ball, disc], load, motion, boundary, .. } = element;
+    let bodies = format!(
+        "{title}# `stribeck check` lists the contact, `stribeck solve` solves it. Every key: docs/scene.md.\n\n[form]\n{form}\n\
+         [materials.ball]\nmaterial = \"{ball}\"\n\n[materials.disc]\nmaterial = \"{disc}\"\n\n[load]\n{load}\n[motion]\n{motion}\n"
+    );
+    let Some([radius, force]) = element.dry else {
+        let grid = element.grid.as_deref().unwrap_or(ACCURACY);
+        return Ok(format!(
+            "{bodies}{}\n[friction]\nboundary_coefficient = {boundary} # where solids touch\neyring_stress = \"5 MPa\" # shear stress above which \
+             the oil thins\n\n[grid]\n{grid}",
+            oil_tables(options, "ISO VG 68", 60.0)?
+        ));
+    };
+    let (modulus, poisson) = STEEL;
+    let hertz = HertzPoint::from_load(radius, radius, modulus / (1.0 - poisson * poisson), force)?;
+    let side = plain(1e6 * rounded(DRY_BOX * hertz.half_width_x));
+    Ok(format!(
+        "{bodies}[friction]\nboundary_coefficient = {boundary}\n\n[grid]\nnx = 96\nny = 96\nx = [\"-{side} um\", \"{side} um\"]\ny = [\"-{side} um\", \
+         \"{side} um\"]\n"
+    ))
+}
+
+/// A steel roller on a steel flat.
+fn roller(options: &Init) -> Result<Element, Box<dyn Error>> {
+    let (radius, _) = quantity(Dimension::Length, "--radius", options.radius.as_ref(), "10 mm")?;
+    let (speed, _) = quantity(Dimension::Speed, "--speed", options.speed.as_ref(), "1 m/s")?;
+    let load = match &options.load {
+        Some(_) => {
+            let (load, _) = quantity(Dimension::ForcePerLength, "--load", options.load.as_ref(), "")?;
+            format!("force = {load} # per length of the roller\n")
+        }
+        None => "hertz_pressure = \"1 GPa\" # or force = \"200 kN/m\"\n".to_owned(),
+    };
+    Ok(Element {
+        title: "# A steel roller on a steel flat: a line contact, loads and flows are per metre of length.\n"
+            .to_owned(),
+        form: format!(
+            "kind = \"cylinder\"\nradius = {radius} # of two rollers: radii = [\"10 mm\", \"20 mm\"]\n"
+        ),
+        materials: ["steel"; 2],
+        load,
+        motion: format!(
+            "entrainment_speed = {speed}\nslide_roll_ratio = {:?}\n",
+            options.slide_roll_ratio.unwrap_or(0.05)
+        ),
+        boundary: 0.115,
+        dry: None,
+        grid: None,
+    })
+}
+
+/// A journal bearing.
+fn journal(options: &Init) -> Result<String, Box<dyn Error>> {
+    let (load, _) = quantity(Dimension::Force, "--load", options.load.as_ref(), "2 kN")?;
+    let rotation = rotation(options, 3000.0)?;
+    let oil = oil_tables(options, "ISO VG 32", 50.0)?;
+    let heat = if oil.contains("[thermal]") {
+        "supply_temperature = \"40 degC\" # heat balance: the oil has the mean of supply and outlet, in place of thermal.bulk_temperature\n"
+    } else {
+        ""
+    };
+    Ok(format!(
+        "# A steady loaded journal bearing with one axial groove opposite the load. Relative clearance 1.5 per mille, width over diameter 0.5.\n\
+         # `stribeck solve` computes eccentricity, friction, flows and temperature. Every key: docs/given_film.md.\n\n\
+         [given_film]\nkind = \"journal\"\ndiameter = \"50 mm\"\nwidth = \"25 mm\"\nclearance = \"37.5 um\" # radial\n\
+         speed = \"{rotation} rpm on 50 mm\"\nload = {load}\n\
+         groove_angles = [\"180 deg\"] # from the load, in the direction of rotation\ngroove_width = \"5 mm\"\nsupply_pressure = \"1 bar\" # above ambient\n\
+         {heat}\n{oil}"
+    ))
+}

@@ -1,0 +1,127 @@
+//! `stribeck init` of rigs and bearings, curves of rigid bearings.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+mod common;
+
+use std::f64::consts::PI;
+
+use common::{assert_refused, error_of, json_of, repository, stribeck, text};
+
+/// The scene that `init` writes with these options, and its solution.
+fn solved(options: &[&str]) -> (String, serde_json::Value) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let output = stribeck(&[["init"].as_slice(), options, &[text(&path)]].concat());
+    assert!(output.status.success(), "{options:?}: {}", error_of(&output));
+    let solution = stribeck(&["solve", text(&path), "--json"]);
+    assert_eq!(solution.status.code(), Some(0), "{options:?}: {}", error_of(&solution));
+    (std::fs::read_to_string(&path).unwrap(), json_of(&solution))
+}
+
+fn close(value: &serde_json::Value, expected: f64, tolerance: f64) {
+    let value = value.as_f64().unwrap();
+    assert!((value / expected - 1.0).abs() < tolerance, "{value:e} is not {expected:e}");
+}
+
+#[test]
+fn rigs_are_solved_without_a_further_word() {
+    let (_, mtm) = solved(&["--rig", "mtm"]);
+    close(&mtm["hertz"]["force"], 37.0, 1e-9);
+    close(&mtm["hertz"]["pressure"], 1e9, 0.02);
+    let (_, glass) = solved(&["--rig", "ball-on-disc"]);
+    close(&glass["hertz"]["pressure"], 0.5e9, 0.1);
+    let (_, pin) = solved(&["--rig", "pin-on-disc", "--load", "5 N"]);
+    close(&pin["hertz"]["force"], 5.0, 1e-9);
+    close(&pin["friction"]["coefficient"], 0.6, 1e-6);
+    close(&pin["friction"]["power_loss"], 0.3, 1e-6);
+    let (_, discs) = solved(&["--rig", "twin-disc"]);
+    close(&discs["hertz"]["pressure"], 1e9, 1e-6);
+    // 147 N/sqrt(6) on each of three balls, sliding at 0.4607 m/s
+    let (balls, four) = solved(&["--rig", "four-ball"]);
+    close(&four["hertz"]["force"], 60.012, 1e-4);
+    assert!(balls.contains("ball_speed = 0.460") && balls.contains("ASTM D4172"), "{balls}");
+}
+
+#[test]
+fn bearings_have_their_inner_geometry_and_source() {
+    let (scene, ball) = solved(&["--bearing", "6205", "--load", "2 kN", "--rotation", "1500"]);
+    close(&ball["hertz"]["force"], 5.0 * 2000.0 / 9.0, 1e-5);
+    assert!(scene.contains("9 balls of 7.94 mm on 39.04 mm: Case Western"), "{scene}");
+    let speed: f64 = scene
+        .lines()
+        .find_map(|line| line.strip_prefix("entrainment_speed = "))
+        .unwrap()
+        .split(' ')
+        .next()
+        .unwrap()
+        .parse()
+        .unwrap();
+    let expected = 0.25 * 39.04e-3 * 50.0 * PI * (1.0 - (7.94_f64 / 39.04).powi(2));
+    assert!((speed / expected - 1.0).abs() < 1e-5, "{speed}");
+    let (_, roller) = solved(&["--bearing", "nu 209"]);
+    close(&roller["hertz"]["force"], 5.0 * 1000.0 / 14.0 / 9.6e-3, 1e-5);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    assert_refused(&["init", "--bearing", "6206", text(&path)], &["6206", "nearest first: 6205, "]);
+    assert_refused(&["init", "--bearing", "NU210", text(&path)], &["nearest first: NU209"]);
+    assert_refused(&["init", "--bearing", "6205", "--rig", "mtm", text(&path)], &["--rig"]);
+    assert!(!path.exists());
+}
+
+#[test]
+fn roller_and_journal_are_solved_without_a_further_word() {
+    let (_, roller) = solved(&["--roller", "--load", "100 kN/m"]);
+    close(&roller["hertz"]["force"], 100e3, 1e-9);
+    let (scene, journal) = solved(&["--journal"]);
+    close(&journal["load"], 2000.0, 1e-5);
+    let rise =
+        journal["outlet_temperature"].as_f64().unwrap() - journal["supply_temperature"].as_f64().unwrap();
+    let [power, flow] = ["power_loss", "side_flow"].map(|name| journal[name].as_f64().unwrap());
+    assert!((rise - power / (1.7e6 * flow)).abs() < 1e-6 && rise > 1.0, "{scene}");
+}
+
+/// Under ten times the speed the Sommerfeld number of the same load is a tenth: the journal rises towards the middle.
+#[test]
+fn curve_of_a_journal_is_over_speed_load_and_temperature() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = repository("examples/scenes/journal.toml");
+    let coarse =
+        std::fs::read_to_string(scene).unwrap().replace("[lubricant]", "nx = 60\nny = 8\n[lubricant]");
+    let path = folder.path().join("journal.toml");
+    std::fs::write(&path, coarse).unwrap();
+    let curve = |over: &str| {
+        let out = text(folder.path());
+        let output = stribeck(&[
+            "curve",
+            text(&path),
+            "--over",
+            over,
+            "--points",
+            "3",
+            "--json",
+            "--out",
+            out,
+            "--force",
+        ]);
+        assert_eq!(output.status.code(), Some(0), "{}", error_of(&output));
+        let points = json_of(&output)["points"].as_array().unwrap().clone();
+        let of = |name: &str| points.iter().map(|point| point[name].as_f64().unwrap()).collect::<Vec<f64>>();
+        [of("eccentricity"), of("load"), of("power_loss")]
+    };
+    let [eccentricity, load, power] = curve("speed");
+    assert!(eccentricity[0] > eccentricity[1] && eccentricity[1] > eccentricity[2], "{eccentricity:?}");
+    assert!(power[2] > 50.0 * power[1] && load.iter().all(|load| (load / 2000.0 - 1.0).abs() < 1e-5));
+    let [eccentricity, load, _] = curve("load");
+    assert!((load[0] / 200.0 - 1.0).abs() < 1e-5 && eccentricity[0] < eccentricity[2], "{eccentricity:?}");
+    let [eccentricity, ..] = curve("temperature");
+    assert!(eccentricity[2] > eccentricity[0], "{eccentricity:?}");
+    let csv = std::fs::read_to_string(folder.path().join("journal_curve_load.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 4);
+    assert!(csv.starts_with("load_N,eccentricity,least_film_m"), "{csv}");
+    let refused = |over: &str, words: &[&str]| {
+        assert_refused(&["curve", text(&path), "--over", over, "--out", text(folder.path())], words);
+    };
+    refused("slide_roll_ratio", &["slide_roll_ratio", "at rest"]);
+    let pad = repository("examples/scenes/textured_pad.toml");
+    assert_refused(&["curve", text(&pad), "--over", "load", "--out", text(folder.path())], &["load", "film"]);
+}

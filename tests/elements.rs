@@ -1,0 +1,161 @@
+//! Scenes of machine elements beside hand formulas: film, load, wear and friction.
+
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+use stribeck::Status;
+use stribeck::sim::{ContactSolution, MixedLubricationSim, RigidBearing, Scene, StepRecord};
+
+/// Effective modulus of steel on steel, `E/(1 - v^2)` \[Pa\], viscosity \[Pa s\] and pressure-viscosity coefficient \[1/Pa\] of the scenes.
+const MODULUS: f64 = 210e9 / 0.91;
+const ETA: f64 = 0.02;
+const ALPHA: f64 = 18e-9;
+
+fn path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes").join(name)
+}
+
+fn solved(name: &str) -> ContactSolution {
+    let scene = Scene::load(path(name)).unwrap();
+    let solution = MixedLubricationSim::builder(scene).solve().unwrap();
+    assert_eq!(solution.report.status, Status::Converged, "{name}");
+    let load = solution.state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
+    let share = load / (solution.hertz.force - solution.pressure.load_outside);
+    assert!((share - 1.0).abs() < 0.01, "{name}: {share} of the load");
+    solution
+}
+
+fn close(name: &str, value: f64, expected: f64, tolerance: f64) {
+    let deviation = value / expected - 1.0;
+    assert!(deviation.abs() < tolerance, "{name}: {value:e} is {:.2} % off {expected:e}", 100.0 * deviation);
+}
+
+/// Central film of Hamrock and Dowson (1977) for hard point contacts.
+fn hamrock_dowson(radius: f64, force: f64, speed: f64, ellipticity: f64) -> f64 {
+    let (u, g, w) = (ETA * speed / (MODULUS * radius), ALPHA * MODULUS, force / (MODULUS * radius * radius));
+    let by_shape = 1.0 - 0.61 * (-0.73 * ellipticity).exp();
+    2.69 * radius * u.powf(0.67) * g.powf(0.53) * w.powf(-0.067) * by_shape
+}
+
+/// Radius of a sphere's Hertz contact, `(3 F R/(2 E'))^(1/3)`.
+fn hertz_radius(radius: f64, force: f64, modulus: f64) -> f64 {
+    (1.5 * force * radius / modulus).cbrt()
+}
+
+#[test]
+fn traction_machine_has_the_film_of_hamrock_and_dowson() {
+    let solution = solved("mtm.toml");
+    close("film", solution.film.central, hamrock_dowson(9.525e-3, 37.0, 1.0, 1.0), 0.1);
+    let a = hertz_radius(9.525e-3, 37.0, MODULUS);
+    close("Hertz pressure", solution.hertz.pressure, 1.5 * 37.0 / (PI * a * a), 0.01);
+    // Power loss of friction force and sliding speed; the stress of the film is at most Eyring's times ln(2 eta u/(h tau)).
+    let friction = solution.friction;
+    close("power", friction.power_loss, friction.coefficient * 37.0 * 0.5, 1e-9);
+    assert!(friction.fluid > 0.02 && friction.fluid < 0.1 && friction.boundary == 0.0, "{friction:?}");
+    let ratio = solution.film.formula_ratio.unwrap();
+    close("formula", solution.film.central / ratio, hamrock_dowson(9.525e-3, 37.0, 1.0, 1.0), 0.08);
+}
+
+/// Dowson and Toyoda (1979): `3.06 U^0.69 G^0.56 W^-0.10`.
+#[test]
+fn roller_of_a_bearing_has_the_film_of_dowson_and_toyoda() {
+    let solution = solved("roller_bearing.toml");
+    let radius = 1.0 / (1.0 / 5e-3 + 1.0 / 27.4955e-3);
+    let (u, g, w) = (ETA * 2.492 / (MODULUS * radius), ALPHA * MODULUS, 186e3 / (MODULUS * radius));
+    let film = 3.06 * radius * u.powf(0.69) * g.powf(0.56) * w.powf(-0.10);
+    close("film", solution.film.central, film, 0.1);
+    let half_width = (8.0 * 186e3 * radius / (PI * MODULUS)).sqrt();
+    close("Hertz pressure", solution.hertz.pressure, 2.0 * 186e3 / (PI * half_width), 0.01);
+}
+
+/// The ellipse is 9 times as wide as long, beyond the range of the formula.
+#[test]
+fn ball_in_a_groove_has_the_film_of_hamrock_and_dowson() {
+    let solution = solved("ball_bearing.toml");
+    let radius = 1.0 / (1.0 / 3.97e-3 + 1.0 / 15.55e-3);
+    close("film", solution.film.central, hamrock_dowson(radius, 556.0, 1.47, 9.3), 0.15);
+}
+
+/// All that is supplied flows through: film times density, `(1 + 0.6e-9 p/(1 + 1.7e-9 p))`, is the supplied film.
+#[test]
+fn starved_ball_has_the_film_that_is_supplied() {
+    let solution = solved("starved.toml");
+    let pressure = solution.pressure.central;
+    let density = 1.0 + 0.6e-9 * pressure / (1.0 + 1.7e-9 * pressure);
+    let flooded = hamrock_dowson(9.525e-3, 37.0, 1.0, 1.0);
+    assert!(flooded > 2.0 * 40e-9, "{flooded}");
+    close("film", density * solution.film.central, 40e-9, 0.08);
+}
+
+/// Hamrock and Dowson (1978) for soft contacts: `7.32 (1 - 0.72 exp(-0.28 k)) U^0.64 W^-0.22`.
+#[test]
+fn hip_has_the_film_of_isoviscous_elastic_contacts() {
+    let solution = solved("hip.toml");
+    let radius = 14e-3 * 14.04e-3 / 0.04e-3;
+    let (u, w) = (2.5e-3 * 0.01 / (MODULUS * radius), 1500.0 / (MODULUS * radius * radius));
+    let film = 7.32 * (1.0 - 0.72 * (-0.28_f64).exp()) * radius * u.powf(0.64) * w.powf(-0.22);
+    close("film", solution.film.central, film, 0.15);
+    close("Hertz radius", solution.hertz.half_width_x, hertz_radius(radius, 1500.0, MODULUS), 0.01);
+}
+
+/// Archard's volume `K F s/H` of either body, and the friction of the boundary coefficient.
+#[test]
+fn dry_pin_has_the_wear_of_archard() {
+    let scene = Scene::load(path("dry_wear.toml")).unwrap();
+    let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
+    let mut last = None;
+    sim.run(10, 10.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
+        last = Some(record.clone());
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    let record = last.unwrap();
+    let volume = 1e-7 * 10.0 * 0.1 * 100.0 / 6e9;
+    close("ball", record.wear.ball_volume, volume, 1e-4);
+    close("disc", record.wear.disc_volume, volume, 1e-4);
+    close("friction", record.friction.coefficient, 0.6, 1e-6);
+    close("power", record.friction.power_loss, 0.6 * 10.0 * 0.1, 1e-6);
+    // The cap of the volume V that a plane cuts off a ball of radius R: a = (4 V R/pi)^(1/4).
+    assert!((4.0 * volume * 5e-3 / PI).powf(0.25) < 0.2e-3);
+}
+
+/// The load of the plane slider is larger without side flow, `6 eta u L^2/h_2^2 f` with `f = (ln K - 2 (K - 1)/(K + 1))/(K - 1)^2`.
+#[test]
+fn textured_pad_carries_more_than_a_plane_one_and_less_than_a_wide_one() {
+    let text = std::fs::read_to_string(path("textured_pad.toml")).unwrap();
+    let solve = |text: &str| RigidBearing::from_toml(text).unwrap().solve(|| false).unwrap().numbers;
+    let textured = solve(&text);
+    let plain: String =
+        text.lines().filter(|line| !line.starts_with("dimple")).map(|line| format!("{line}\n")).collect();
+    let wide: String =
+        plain.lines().filter(|line| !line.starts_with("width")).map(|line| format!("{line}\n")).collect();
+    let [plain, wide] = [plain, wide].map(|text| solve(&text));
+    let k = 1.1_f64;
+    let factor = (k.ln() - 2.0 * (k - 1.0) / (k + 1.0)) / (k - 1.0).powi(2);
+    close("wide pad", wide.load, 6.0 * ETA * 1e-4 / 1e-10 * factor, 0.01);
+    let friction = ETA * 1e-2 / 1e-5 * (4.0 * k.ln() / (k - 1.0) - 6.0 / (k + 1.0));
+    close("friction of a wide pad", wide.friction_moving, friction, 0.01);
+    assert!(
+        plain.load < 0.6 * 0.01 * wide.load && textured.load > plain.load,
+        "{} {}",
+        textured.load,
+        plain.load
+    );
+    assert!(textured.friction_moving < plain.friction_moving);
+}
+
+/// Without load the friction is that of Petroff; the eccentric axis adds `W c e sin(phi)/(2 R)` to the mean of both surfaces.
+#[test]
+fn journal_has_the_friction_of_petroff_and_of_its_load() {
+    let numbers = RigidBearing::load(path("journal.toml")).unwrap().unwrap().solve(|| false).unwrap().numbers;
+    close("load", numbers.load, 2000.0, 1e-5);
+    let (radius, clearance, speed) = (25e-3, 25e-6, 50.0 * PI * 50e-3);
+    let petroff = numbers.eta0 * speed / clearance * 2.0 * PI * radius * 25e-3;
+    let eccentricity = numbers.eccentricity.unwrap();
+    assert!(numbers.friction_moving > 0.8 * petroff, "{} {petroff}", numbers.friction_moving);
+    assert!(numbers.friction_moving < 1.1 * petroff / (1.0 - eccentricity * eccentricity).sqrt());
+    let by_load = numbers.load * clearance / radius * eccentricity * numbers.attitude.unwrap().sin();
+    close("difference of both", numbers.friction_moving - numbers.friction_resting, by_load, 0.02);
+    close("power", numbers.power_loss, numbers.friction_moving * speed, 1e-9);
+}
