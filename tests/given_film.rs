@@ -362,7 +362,7 @@ fn bad_input_names_field_and_value() {
     let error = |problem: GivenFilm<'_>| problem.solve().unwrap_err().to_string();
     assert!(error(good.with_speeds([0.0, f64::NAN])).starts_with("speeds.1 = NaN"));
     assert!(error(good.with_ambient_pressure(f64::INFINITY)).starts_with("edge_pressures.0 = inf"));
-    assert!(error(good.with_cavitation_pressure(2e5)).starts_with("cavitation_pressure = 200000"));
+    assert!(error(good.with_cavitation_pressure(2e5)).starts_with("edge_pressures.0 = 100000"));
     let of = |film: &[f64]| FilmThickness::from_nodes(grid, film).unwrap_err().to_string();
     assert!(of(&[1e-6; 9]).contains("film has 9 values, expected 10"));
     assert!(of(&[0.0; 10]).starts_with("film[0] = 0"));

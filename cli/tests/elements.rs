@@ -64,7 +64,6 @@ fn bearings_have_their_inner_geometry_and_source() {
     let path = folder.path().join("scene.toml");
     assert_refused(&["init", "--bearing", "6206", text(&path)], &["6206", "nearest first: 6205, "]);
     assert_refused(&["init", "--bearing", "NU210", text(&path)], &["nearest first: NU209"]);
-    assert_refused(&["init", "--bearing", "6205", "--rig", "mtm", text(&path)], &["--rig"]);
     assert!(!path.exists());
 }
 

@@ -18,9 +18,13 @@ const LOAD_TOLERANCE: f64 = 1e-6;
 /// Most solves of an equilibrium.
 const MOST_SOLVES: usize = 60;
 /// Change of the attitude angle \[rad\] below which grooves keep their position to the line of centers.
-const ATTITUDE_TOLERANCE: f64 = 1e-4;
+const ATTITUDE_TOLERANCE: f64 = 1e-3;
+/// First attitude angle \[rad\], that of moderate loads.
+const FIRST_ATTITUDE: f64 = 0.8;
+/// Share of the change of the attitude angle that a step takes.
+const DAMPING: f64 = 0.8;
 /// Most positions of the grooves at one eccentricity.
-const MOST_POSITIONS: usize = 40;
+const MOST_POSITIONS: usize = 20;
 
 /// Axial grooves in the bush, over the whole width and closed at both sides.
 ///
@@ -147,9 +151,19 @@ impl JournalBearing<'_> {
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
         InputError::require_positive("load", load)?;
+        self.with_settled_load(|attitude| self.equilibrium_at(load, attitude, interrupted))
+    }
+
+    /// The equilibrium under `load` with grooves at the `attitude` angle.
+    fn equilibrium_at(
+        &self,
+        load: f64,
+        attitude: f64,
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<JournalSolution, ReynoldsError> {
         // The load is zero at the eccentricity zero and grows with it.
         let [mut low, mut high] = [[0.0, -load], [MOST_ECCENTRIC, 0.0]];
-        let mut solution = self.solve_unless(MOST_ECCENTRIC, interrupted)?;
+        let mut solution = self.solve_at(MOST_ECCENTRIC, attitude, interrupted)?;
         high[1] = solution.load - load;
         if high[1] < 0.0 {
             return Err(InputError::Conflict {
@@ -171,7 +185,7 @@ impl JournalBearing<'_> {
             let share = low[1] / (low[1] - high[1]);
             let share = if share < 0.01 { 0.5 } else { share };
             let eccentricity = low[0] + share * (high[0] - low[0]);
-            solution = self.solve_unless(eccentricity, interrupted)?;
+            solution = self.solve_at(eccentricity, attitude, interrupted)?;
             let rest = solution.load - load;
             let is_low = rest < 0.0;
             // Illinois: an end that is kept twice counts half.
@@ -191,15 +205,22 @@ impl JournalBearing<'_> {
         eccentricity: f64,
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
-        self.validate(eccentricity)?;
-        let mut attitude = 0.5 * PI;
+        self.with_settled_load(|attitude| self.solve_at(eccentricity, attitude, interrupted))
+    }
+
+    /// The solution of `solve` at the attitude angle that it has itself: grooves have fixed angles to the load.
+    fn with_settled_load(
+        &self,
+        solve: impl Fn(f64) -> Result<JournalSolution, ReynoldsError>,
+    ) -> Result<JournalSolution, ReynoldsError> {
+        let mut attitude = FIRST_ATTITUDE;
         for _ in 0..MOST_POSITIONS {
-            let solution = self.solve_at(eccentricity, attitude, interrupted)?;
-            let change = (solution.attitude - attitude).abs();
-            if self.grooves.is_none() || eccentricity == 0.0 || change < ATTITUDE_TOLERANCE {
+            let solution = solve(attitude)?;
+            let change = solution.attitude - attitude;
+            if self.grooves.is_none() || solution.eccentricity == 0.0 || change.abs() < ATTITUDE_TOLERANCE {
                 return Ok(solution);
             }
-            attitude = solution.attitude;
+            attitude += DAMPING * change;
         }
         Err(InputError::Conflict {
             field: "grooves".to_owned(),
@@ -216,6 +237,7 @@ impl JournalBearing<'_> {
         attitude: f64,
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
+        self.validate(eccentricity)?;
         let (sides, circumference) = ([0.0, self.width], TAU * self.radius);
         // The load points to the angle pi - attitude from the widest gap.
         let turn = self.angular_speed.signum();
@@ -252,7 +274,7 @@ impl JournalBearing<'_> {
             eccentricity,
             load,
             force,
-            attitude: force[1].abs().atan2(force[0]),
+            attitude: (-turn * force[1]).atan2(force[0]),
             sommerfeld: load * psi * psi / (area * viscosity * self.angular_speed.abs()),
             least_film: self.clearance * (1.0 - eccentricity),
             groove_flow: if self.grooves.is_some() {

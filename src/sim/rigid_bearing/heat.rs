@@ -11,6 +11,8 @@ use crate::sim::scene::{BearingSpec, HeatBalance};
 
 /// Error of the temperature \[K\].
 const TOLERANCE: f64 = 1e-3;
+/// Flow over that along the film below which it is rounding.
+const ROUNDING: f64 = 1e-8;
 /// Most solves.
 const MOST_SOLVES: usize = 40;
 
@@ -29,7 +31,7 @@ pub(super) fn solve(
     let at = |temperature: f64| {
         let mut solution = bearing.solve_at(temperature, interrupted)?;
         let flow = through_flow(bearing, &solution);
-        if flow <= 0.0 {
+        if flow <= ROUNDING * solution.film.flow.inflow {
             return Err(InputError::Conflict {
                 field: "given_film.supply_temperature".to_owned(),
                 reason: "no oil flows through the film, which could carry the heat; a feed pressure, or an eccentricity above 0"

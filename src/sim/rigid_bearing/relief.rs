@@ -10,6 +10,8 @@ use crate::sim::error::SimError;
 use crate::sim::scene::PadRelief;
 use crate::surface;
 
+/// Part of a pitch by which the pad may be shorter than its dimples.
+const ROUNDING: f64 = 1e-9;
 /// Fewest cells along the diameter of a dimple.
 const CELLS_IN_DIMPLE: f64 = 4.0;
 
@@ -75,7 +77,7 @@ impl Dimples {
             ));
         }
         let pitch = diameter * (0.25 * PI / density).sqrt();
-        let count = size.map(|size| (size / pitch).floor());
+        let count = size.map(|size| (size / pitch + ROUNDING).floor());
         if count[0] < 1.0 || count[1] < 1.0 {
             return Err(conflict(
                 "dimple_density",

@@ -10,8 +10,8 @@ use std::f64::consts::TAU;
 use stribeck::analytic::HertzPoint;
 use stribeck::units::Dimension;
 
-use super::super::{Options as Init, STEEL, plain, rounded};
-use super::{Element, quantity, rotation};
+use super::super::{Options as Init, plain, rounded};
+use super::{Element, LINE_GRID, quantity, rotation, steel};
 
 /// Load of the heaviest loaded element, in radial loads over the number of elements.
 const STRIBECK: f64 = 5.0;
@@ -105,8 +105,8 @@ pub(super) fn element(options: &Init, name: &str) -> Result<Element, Box<dyn Err
         ),
     };
     let grid = match race {
-        Race::Groove(conformity) => Some(groove_grid(share, [diameter, pitch], *conformity)?),
-        Race::Roller(_) => None,
+        Race::Groove(conformity) => groove_grid(share, [diameter, pitch], *conformity)?,
+        Race::Roller(_) => LINE_GRID.to_owned(),
     };
     Ok(Element {
         title: format!(
@@ -123,18 +123,17 @@ pub(super) fn element(options: &Init, name: &str) -> Result<Element, Box<dyn Err
             options.slide_roll_ratio.unwrap_or(0.0)
         ),
         boundary: 0.115,
-        dry: None,
+        is_dry: false,
         grid,
     })
 }
 
 /// Cells around the narrow ellipse of a ball of `[diameter, pitch]` \[mm\] in its groove under `load` \[N\].
 fn groove_grid(load: f64, [diameter, pitch]: [f64; 2], conformity: f64) -> Result<String, Box<dyn Error>> {
-    let (modulus, poisson) = STEEL;
     let reduced = |a: f64, b: f64| 1e-3 / (1.0 / a + 1.0 / b);
     let along = reduced(0.5 * diameter, 0.5 * (pitch - diameter));
     let across = reduced(0.5 * diameter, -conformity * diameter);
-    let hertz = HertzPoint::from_load(along, across, modulus / (1.0 - poisson * poisson), load)?;
+    let hertz = HertzPoint::from_load(along, across, steel(), load)?;
     let [inlet, outlet] = [3.5, 1.7].map(|reach| plain(1e6 * rounded(reach * hertz.half_width_x)));
     let side = plain(1e6 * rounded(1.4 * hertz.half_width_y));
     Ok(format!(

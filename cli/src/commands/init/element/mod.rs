@@ -14,8 +14,8 @@ use crate::output::{self, Outcome};
 
 /// Half a side of the box of a dry contact, in half-widths: room for the scar to grow.
 const DRY_BOX: f64 = 3.0;
-/// Keys of `[grid]` of smooth contacts.
-const ACCURACY: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
+/// Keys of `[grid]` of line contacts.
+const LINE_GRID: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
 
 /// Options of the elements.
 #[derive(clap::Args)]
@@ -48,10 +48,9 @@ struct Element {
     motion: String,
     /// Boundary friction coefficient.
     boundary: f64,
-    /// Radius and load of a dry contact \[m, N\]; `None` of a lubricated one.
-    dry: Option<[f64; 2]>,
-    /// Keys of `[grid]`, where they are not chosen by accuracy.
-    grid: Option<String>,
+    is_dry: bool,
+    /// Keys of `[grid]`.
+    grid: String,
 }
 
 /// Writes the scene of the element that the options describe; `None` without one.
@@ -115,26 +114,46 @@ fn oil_tables(options: &Init, grade: &str, celsius: f64) -> Result<String, Box<d
 
 /// The scene file of `element`.
 fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
-    let Element { title, form, materials: [ball, disc], load, motion, boundary, .. } = element;
+    let Element { title, form, materials: [ball, disc], load, motion, boundary, is_dry, grid } = element;
     let bodies = format!(
         "{title}# `stribeck check` lists the contact, `stribeck solve` solves it. Every key: docs/scene.md.\n\n[form]\n{form}\n\
          [materials.ball]\nmaterial = \"{ball}\"\n\n[materials.disc]\nmaterial = \"{disc}\"\n\n[load]\n{load}\n[motion]\n{motion}\n"
     );
-    let Some([radius, force]) = element.dry else {
-        let grid = element.grid.as_deref().unwrap_or(ACCURACY);
-        return Ok(format!(
-            "{bodies}{}\n[friction]\nboundary_coefficient = {boundary} # where solids touch\neyring_stress = \"5 MPa\" # shear stress above which \
-             the oil thins\n\n[grid]\n{grid}",
+    let oil = if *is_dry {
+        format!("[friction]\nboundary_coefficient = {boundary}\n")
+    } else {
+        format!(
+            "{}\n[friction]\nboundary_coefficient = {boundary} # where solids touch\neyring_stress = \"5 MPa\" # shear stress above which the oil \
+             thins\n",
             oil_tables(options, "ISO VG 68", 60.0)?
-        ));
+        )
     };
+    Ok(format!("{bodies}{oil}\n[grid]\n{grid}"))
+}
+
+/// Cells around a circular contact of the radius \[m\] and `force` \[N\] with the effective modulus \[Pa\]: a box for a scar to grow in, or with an
+/// inlet.
+fn round_grid([radius, force]: [f64; 2], modulus: f64, is_dry: bool) -> Result<String, Box<dyn Error>> {
+    let half_width = HertzPoint::from_load(radius, radius, modulus, force)?.half_width_x;
+    let length = |reach: f64| plain(1e6 * rounded(reach * half_width));
+    Ok(if is_dry {
+        let side = length(DRY_BOX);
+        format!(
+            "nx = 96\nny = 96\nx = [\"-{side} um\", \"{side} um\"]\ny = [\"-{side} um\", \"{side} um\"]\n"
+        )
+    } else {
+        let [inlet, outlet, side] = [3.5, 1.7, 2.0].map(length);
+        format!(
+            "nx = 96\nny = 80\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\ny = [\"-{side} um\", \"{side} um\"]\n\n\
+             [solver]\nestimate = true # errors of the mesh\n"
+        )
+    })
+}
+
+/// Effective modulus of steel on steel \[Pa\].
+fn steel() -> f64 {
     let (modulus, poisson) = STEEL;
-    let hertz = HertzPoint::from_load(radius, radius, modulus / (1.0 - poisson * poisson), force)?;
-    let side = plain(1e6 * rounded(DRY_BOX * hertz.half_width_x));
-    Ok(format!(
-        "{bodies}[friction]\nboundary_coefficient = {boundary}\n\n[grid]\nnx = 96\nny = 96\nx = [\"-{side} um\", \"{side} um\"]\ny = [\"-{side} um\", \
-         \"{side} um\"]\n"
-    ))
+    modulus / (1.0 - poisson * poisson)
 }
 
 /// A steel roller on a steel flat.
@@ -161,8 +180,8 @@ fn roller(options: &Init) -> Result<Element, Box<dyn Error>> {
             options.slide_roll_ratio.unwrap_or(0.05)
         ),
         boundary: 0.115,
-        dry: None,
-        grid: None,
+        is_dry: false,
+        grid: LINE_GRID.to_owned(),
     })
 }
 
@@ -181,7 +200,7 @@ fn journal(options: &Init) -> Result<String, Box<dyn Error>> {
          # `stribeck solve` computes eccentricity, friction, flows and temperature. Every key: docs/given_film.md.\n\n\
          [given_film]\nkind = \"journal\"\ndiameter = \"50 mm\"\nwidth = \"25 mm\"\nclearance = \"37.5 um\" # radial\n\
          speed = \"{rotation} rpm on 50 mm\"\nload = {load}\n\
-         groove_angles = [\"180 deg\"] # from the load, in the direction of rotation\ngroove_width = \"5 mm\"\nsupply_pressure = \"1 bar\" # above ambient\n\
+         groove_angles = [\"180 deg\"] # from the load, in the direction of rotation\ngroove_width = \"5 mm\"\nsupply_pressure = \"1 bar\" # above ambient\nnx = 120 # cells along and across the motion\nny = 16\n\
          {heat}\n{oil}"
     ))
 }

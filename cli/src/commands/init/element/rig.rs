@@ -6,7 +6,10 @@ use std::f64::consts::TAU;
 use stribeck::units::Dimension;
 
 use super::super::{Options as Init, plain};
-use super::{Element, quantity, rotation};
+use super::{Element, LINE_GRID, quantity, rotation, round_grid, steel};
+
+/// Effective modulus of steel on glass \[Pa\].
+const GLASS: f64 = 117e9;
 
 /// Test rigs with usual specimens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -54,8 +57,9 @@ fn ball(
     [radius, load, speed]: [&str; 3],
     (materials, slide_roll_ratio): ([&'static str; 2], f64),
 ) -> Result<Element, Box<dyn Error>> {
-    let (radius, _) = quantity(Dimension::Length, "--radius", options.radius.as_ref(), radius)?;
-    let (load, _) = quantity(Dimension::Force, "--load", options.load.as_ref(), load)?;
+    let (radius, metres) = quantity(Dimension::Length, "--radius", options.radius.as_ref(), radius)?;
+    let (load, force) = quantity(Dimension::Force, "--load", options.load.as_ref(), load)?;
+    let modulus = if materials.contains(&"glass") { GLASS } else { steel() };
     let (speed, _) = quantity(Dimension::Speed, "--speed", options.speed.as_ref(), speed)?;
     Ok(Element {
         title: title.to_owned(),
@@ -67,8 +71,8 @@ fn ball(
             options.slide_roll_ratio.unwrap_or(slide_roll_ratio)
         ),
         boundary: 0.115,
-        dry: None,
-        grid: None,
+        is_dry: false,
+        grid: round_grid([metres, force], modulus, false)?,
     })
 }
 
@@ -86,8 +90,8 @@ fn pin_on_disc(options: &Init) -> Result<Element, Box<dyn Error>> {
         load: format!("force = {load}\n"),
         motion: format!("ball_speed = 0.0\ndisc_speed = {speed}\n"),
         boundary: 0.6,
-        dry: Some([radius, force]),
-        grid: None,
+        is_dry: true,
+        grid: round_grid([radius, force], steel(), true)?,
     })
 }
 
@@ -113,8 +117,8 @@ fn twin_disc(options: &Init) -> Result<Element, Box<dyn Error>> {
             options.slide_roll_ratio.unwrap_or(0.1)
         ),
         boundary: 0.115,
-        dry: None,
-        grid: None,
+        is_dry: false,
+        grid: LINE_GRID.to_owned(),
     })
 }
 
@@ -135,7 +139,7 @@ fn four_ball(options: &Init) -> Result<Element, Box<dyn Error>> {
         load: format!("force = {} # N\n", plain(force / 6.0_f64.sqrt())),
         motion: format!("ball_speed = {} # m/s\ndisc_speed = 0.0\n", plain(speed)),
         boundary: 0.115,
-        dry: None,
-        grid: None,
+        is_dry: false,
+        grid: round_grid([0.5 * radius, force / 6.0_f64.sqrt()], steel(), false)?,
     })
 }
