@@ -95,7 +95,7 @@ fn starved_ball_has_the_film_that_is_supplied() {
 #[test]
 fn hip_has_the_film_of_isoviscous_elastic_contacts() {
     let solution = solved("hip.toml");
-    let (radius, modulus) = (14e-3 * 14.04e-3 / 0.04e-3, 210e9 / 0.91);
+    let (radius, modulus) = (14e-3 * 14.04e-3 / 0.04e-3_f64, 210e9_f64 / 0.91);
     let speed_number = modulus * radius / (2.5e-3 * 0.02);
     let load_number = 1500.0 / (modulus * radius * radius) * speed_number.powf(0.75);
     let film = 3.18 * 1.63_f64.powf(-0.56) * load_number.powf(-2.0 / 15.0) * radius / speed_number.sqrt();
