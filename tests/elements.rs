@@ -52,7 +52,7 @@ fn traction_machine_has_the_film_of_hamrock_and_dowson() {
     // Power loss of friction force and sliding speed; the stress of the film is at most Eyring's times ln(2 eta u/(h tau)).
     let friction = solution.friction;
     close("power", friction.power_loss, friction.coefficient * 37.0 * 0.5, 1e-9);
-    assert!(friction.fluid > 0.02 && friction.fluid < 0.1 && friction.boundary == 0.0, "{friction:?}");
+    assert!(friction.fluid > 0.02 && friction.fluid < 0.1 && friction.boundary.abs() < 1e-12, "{friction:?}");
     let ratio = solution.film.formula_ratio.unwrap();
     close("formula", solution.film.central / ratio, hamrock_dowson(9.525e-3, 37.0, 1.0, 1.0), 0.08);
 }

@@ -200,7 +200,7 @@ impl GivenFilm<'_> {
             )?;
         }
         let grid = self.film.grid();
-        let feeds = self.feeds.iter().enumerate();
-        feeds.map(|(index, feed)| feed.validate(index, grid, self.cavitation_pressure)).collect()
+        let mut feeds = self.feeds.iter().enumerate();
+        feeds.try_for_each(|(index, feed)| feed.validate(index, grid, self.cavitation_pressure))
     }
 }

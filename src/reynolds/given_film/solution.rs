@@ -124,7 +124,9 @@ pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> 
 fn forward(problem: &GivenFilm<'_>, speed: f64, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
     let pressure = problem.edge_pressures[WEST];
     let feeds = problem.feeds.iter().map(|feed| feed.pressure);
-    if speed > 0.0 || problem.edge_pressures.into_iter().chain(feeds).any(|other| other != pressure) {
+    if speed > 0.0
+        || problem.edge_pressures.into_iter().chain(feeds).any(|other| (other - pressure).abs() > 0.0)
+    {
         newton::solve(problem, problem.film, speed, interrupted).map(|solved| flowing(problem, speed, solved))
     } else {
         Some(resting(problem))
