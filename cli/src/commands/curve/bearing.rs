@@ -18,8 +18,11 @@ use crate::{files, interrupt};
 const SPEEDS: [f64; 2] = [0.1, 10.0];
 const LOADS: [f64; 2] = [0.1, 1.0];
 
+/// Name of a column and its number.
+type Column = (&'static str, fn(&BearingNumbers) -> f64);
+
 /// Columns of the table behind the quantity that the curve is over.
-const COLUMNS: [(&str, fn(&BearingNumbers) -> f64); 9] = [
+const COLUMNS: [Column; 9] = [
     ("load_N", |numbers| numbers.load),
     ("eccentricity", |numbers| numbers.eccentricity.unwrap_or(f64::NAN)),
     ("least_film_m", |numbers| numbers.least_film),
