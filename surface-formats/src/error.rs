@@ -54,7 +54,7 @@ pub enum Error {
         what: String,
     },
     /// The file holds several surfaces and none was chosen, or one that it does not hold.
-    #[error("{}: {} surfaces ({}); choose one by its number, channel = 1 to {}", path.display(), names.len(), listed(names), names.len())]
+    #[error("{}: {}", path.display(), several(names))]
     Several {
         /// The file.
         path: PathBuf,
@@ -68,6 +68,17 @@ pub enum Error {
 
 /// Most names that a message lists.
 const MOST_NAMES: usize = 12;
+
+/// How many surfaces there are, and how one is chosen.
+fn several(names: &[String]) -> String {
+    match names.len() {
+        0 => "no surface".to_owned(),
+        1 => "one surface alone; its number is channel = 1".to_owned(),
+        count => {
+            format!("{count} surfaces ({}); choose one by its number, channel = 1 to {count}", listed(names))
+        }
+    }
+}
 
 /// Names with their numbers.
 fn listed(names: &[String]) -> String {

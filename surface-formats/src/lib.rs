@@ -43,6 +43,7 @@ mod text;
 mod unit;
 mod x3p;
 
+use std::cell::Cell;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
@@ -102,12 +103,16 @@ fn file_content(path: &Path) -> io::Result<Vec<u8>> {
 
 /// Reads `bytes` with the reader that their beginning calls for.
 fn read_content(bytes: &[u8], path: &Path, options: Options) -> Result<Surface, Error> {
-    let source = Source { path, bytes, big_endian: false, options };
+    let is_chosen = Cell::new(false);
+    let source = Source { path, bytes, big_endian: false, options, is_chosen: &is_chosen };
     if bytes.len() as u64 > MAX_FILE {
         return Err(source.unsupported("a file of more than 2 GiB".to_owned()));
     }
     if let Some(format) = foreign::format_of(bytes) {
         return Err(Error::Foreign { path: path.to_owned(), format });
+    }
+    if let Some(content) = foreign::other_content(bytes) {
+        return Err(source.unsupported(content.to_owned()));
     }
     if bytes.starts_with(npy::MAGIC) {
         npy::read(source)

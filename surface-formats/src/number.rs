@@ -37,6 +37,11 @@ impl NumberType {
         self.size
     }
 
+    /// Whether it is a floating point number.
+    pub(crate) fn is_float(self) -> bool {
+        self.kind == Kind::Float
+    }
+
     /// The numbers in `bytes`; an incomplete one at the end is left out.
     pub(crate) fn decode(self, bytes: &[u8]) -> Vec<f64> {
         bytes.chunks_exact(self.size).map(|chunk| self.value(chunk)).collect()

@@ -6,7 +6,7 @@
 
 use crate::error::Error;
 use crate::number::{Kind, NumberType};
-use crate::source::{Source, decode_text, shortened};
+use crate::source::{Source, decode_text, shortened, unknown_keys};
 use crate::surface::Surface;
 use crate::text::parse_height;
 use crate::unit::LengthUnit;
@@ -56,8 +56,9 @@ struct Header {
 /// Heights, those that equal the marker undefined.
 pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
     let found = MAGICS.iter().find(|(magic, _)| source.bytes.starts_with(magic));
+    let mut warnings = Vec::new();
     let (header, mut stored) = match found {
-        Some((magic, Version::Ascii)) => read_ascii(source, magic.len())?,
+        Some((magic, Version::Ascii)) => read_ascii(source, magic.len(), &mut warnings)?,
         Some((_, Version::Binary { wide })) => read_binary(source, *wide)?,
         None => return Err(source.unknown()),
     };
@@ -67,7 +68,7 @@ pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
     let heights = source.scaled(header.nx, stored, -0.0, header.scale)?;
     // the scale turns stored numbers into metres
     let unit = Some(LengthUnit::of_length(header.scale).unwrap_or(LengthUnit::Metre));
-    let surface = Surface { unit, ..Surface::new(header.nx, header.ny, heights) };
+    let surface = Surface { unit, warnings, ..Surface::new(header.nx, header.ny, heights) };
     source.finish(surface.with_spacing(Some(header.spacing)))
 }
 
@@ -94,8 +95,8 @@ fn check(source: Source<'_>, sizes: [usize; 2], scales: [f64; 3], codes: [u64; 2
     // a profile has no distance between rows
     let dy = if ny == 1 && dy == 0.0 { dx } else { dy };
     source.require_size(nx, ny, Some([dx, dy]))?;
-    if !scale.is_finite() {
-        return Err(source.corrupt(format!("Zscale = {scale}")));
+    if !(scale.is_finite() && scale != 0.0) {
+        return Err(source.corrupt(format!("Zscale = {scale}: it must be finite and not zero")));
     }
     if compression != 0 {
         return Err(source.unsupported(format!("Compression = {compression}")));
@@ -125,6 +126,22 @@ fn read_binary(source: Source<'_>, wide: bool) -> Result<(Header, Vec<f64>), Err
     Ok((header, stored))
 }
 
+/// Keys of the ASCII header.
+const KEYS: [&str; 12] = [
+    "ManufacID",
+    "CreateDate",
+    "ModDate",
+    "NumPoints",
+    "NumProfiles",
+    "Xscale",
+    "Yscale",
+    "Zscale",
+    "Zresolution",
+    "Compression",
+    "DataType",
+    "CheckType",
+];
+
 /// The value of a key of the ASCII header, if it is there.
 fn value_of<'a>(header: &'a str, key: &str) -> Option<&'a str> {
     header
@@ -142,10 +159,17 @@ fn parse<T: std::str::FromStr>(source: Source<'_>, header: &str, key: &str) -> R
 }
 
 /// Header and stored numbers of an ASCII file whose magic has `start` bytes.
-fn read_ascii(source: Source<'_>, start: usize) -> Result<(Header, Vec<f64>), Error> {
+fn read_ascii(
+    source: Source<'_>,
+    start: usize,
+    warnings: &mut Vec<String>,
+) -> Result<(Header, Vec<f64>), Error> {
     let content = decode_text(&source.bytes[start..]);
     let (head, rest) =
         content.split_once('*').ok_or_else(|| source.corrupt("the header is not closed by *".to_owned()))?;
+    let keys = head.lines().filter_map(|line| line.split_once('=')).map(|(key, _)| key.trim());
+    let unknown = keys.filter(|key| !KEYS.iter().any(|known| known.eq_ignore_ascii_case(key)));
+    warnings.extend(unknown_keys(&unknown.map(shortened).collect::<Vec<_>>()));
     let sizes = [parse(source, head, "NumPoints")?, parse(source, head, "NumProfiles")?];
     let scales =
         [parse(source, head, "Xscale")?, parse(source, head, "Yscale")?, parse(source, head, "Zscale")?];

@@ -1,5 +1,6 @@
 //! The bytes of a file with checked access, and the errors that name it.
 
+use std::cell::Cell;
 use std::path::Path;
 
 use crate::error::Error;
@@ -24,6 +25,8 @@ pub(crate) struct Source<'a> {
     pub(crate) big_endian: bool,
     /// Choices of the caller.
     pub(crate) options: Options,
+    /// Whether one of several surfaces was chosen.
+    pub(crate) is_chosen: &'a Cell<bool>,
 }
 
 impl<'a> Source<'a> {
@@ -44,8 +47,14 @@ impl<'a> Source<'a> {
 
     /// Index of the surface that was chosen among those called `names`; the only one needs no choice.
     pub(crate) fn choose(&self, names: Vec<String>) -> Result<usize, Error> {
+        if names.len() == 1 {
+            return Ok(0);
+        }
+        if self.is_chosen.replace(true) {
+            let listed = names.join(", ");
+            return Err(self.unsupported(format!("several surfaces within the chosen one ({listed})")));
+        }
         match self.options.channel {
-            None if names.len() == 1 => Ok(0),
             Some(number) if (1..=names.len()).contains(&number) => Ok(number - 1),
             _ => Err(Error::Several { path: self.path.to_owned(), names }),
         }
@@ -101,7 +110,7 @@ impl<'a> Source<'a> {
     /// The unit of length called `name`; `what` says of which axis.
     pub(crate) fn unit(&self, name: &str, what: &str) -> Result<LengthUnit, Error> {
         LengthUnit::parse(name)
-            .ok_or_else(|| self.unsupported(format!("{what} unit \"{}\" is no length", shortened(name))))
+            .ok_or_else(|| self.unsupported(format!("{what}: \"{}\" is no unit of length", shortened(name))))
     }
 
     /// Error unless there are from 1 to [`MAX_POINTS`] points at positive distances \[m\], before memory is
@@ -160,8 +169,25 @@ impl<'a> Source<'a> {
             let found = surface.heights.len();
             return Err(self.corrupt(format!("{found} heights instead of {nx} x {ny}")));
         }
+        if surface.heights.len() == 1 {
+            return Err(self.unsupported("a single height is no surface".to_owned()));
+        }
+        if self.options.channel.is_some_and(|number| number != 1) && !self.is_chosen.get() {
+            return Err(Error::Several { path: self.path.to_owned(), names: vec![String::new()] });
+        }
         Ok(surface)
     }
+}
+
+/// Most keys that a warning lists.
+const MOST_KEYS: usize = 8;
+
+/// The warning of keys of a header that are not understood.
+pub(crate) fn unknown_keys(keys: &[String]) -> Option<String> {
+    let listed: Vec<String> = keys.iter().take(MOST_KEYS).map(|key| format!("\"{key}\"")).collect();
+    let more = keys.len().saturating_sub(MOST_KEYS);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    (!keys.is_empty()).then(|| format!("keys of the header are not understood: {}{more}", listed.join(", ")))
 }
 
 /// The warning of a surface whose heights have no unit.

@@ -51,12 +51,17 @@ impl LengthUnit {
         Some(match text {
             "m" | "\u{43c}" => Self::Metre,
             "cm" => Self::Centimetre,
-            "mm" | "\u{43c}\u{43c}" => Self::Millimetre,
+            "mm" | "MM" | "\u{43c}\u{43c}" => Self::Millimetre,
             // micro sign, Greek mu, the micro sign of an old code page read as Latin-1, and that of Nanoscope
-            "um" | "\u{b5}m" | "\u{3bc}m" | "\u{e6}m" | "~m" | "\u{43c}\u{43a}\u{43c}" | "\u{339b}" => {
-                Self::Micrometre
-            }
-            "nm" | "\u{43d}\u{43c}" | "\u{339a}" => Self::Nanometre,
+            "um"
+            | "UM"
+            | "\u{b5}m"
+            | "\u{3bc}m"
+            | "\u{e6}m"
+            | "~m"
+            | "\u{43c}\u{43a}\u{43c}"
+            | "\u{339b}" => Self::Micrometre,
+            "nm" | "NM" | "\u{43d}\u{43c}" | "\u{339a}" => Self::Nanometre,
             "\u{c5}" | "\u{212b}" | "A" => Self::Angstrom,
             "pm" => Self::Picometre,
             "in" => Self::Inch,

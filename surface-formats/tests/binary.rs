@@ -58,7 +58,7 @@ fn damaged_files_are_refused_by_name_and_place() {
         (sur(&[(120, &nan)]), "dx = NaN m"),
         (sur(&[(124, &[0; 4])]), "dy = 0 m"),
         (sur(&[(128, &infinite)]), "height (0, 0)"),
-        (sur(&[(212, b"volt")]), "height unit \"volt\""),
+        (sur(&[(212, b"volt")]), "height: \"volt\""),
         (patched("compressed.sur", &[(512, &[0; 4])]), "0 compressed streams"),
         (patched("compressed.sur", &[(524, &[0xff; 8])]), "compressed stream 0"),
         (patched("compressed.sur", &[(516 + 4, &[10, 0, 0, 0])]), "compressed stream 0: "),
@@ -74,6 +74,11 @@ fn damaged_files_are_refused_by_name_and_place() {
         (patched("binary.sdf", &[])[..1000].to_vec(), "the data of 24 x 18 points"),
         (patched("binary.sdf", &[(42, &[0; 2])]), "at least 1"),
         (patched("binary.sdf", &[(46 + 16, &f64::NAN.to_le_bytes())]), "Zscale = NaN"),
+        (
+            patched("binary.sdf", &[(46 + 16, &0.0_f64.to_le_bytes())]),
+            "Zscale = 0: it must be finite and not zero",
+        ),
+        (replaced("ascii.sdf", "Zscale = 1.0E-6", "Zscale = 0.0E-6"), "Zscale = 0"),
         (patched("cut.al3d", &[])[..1000].to_vec(), "tag"),
         (patched("cut.al3d", &[])[..2000].to_vec(), "the depth image of 23 x 18 points"),
         (replaced("cut.al3d", "Cols\0", "Colx\0"), "tag Cols is missing"),
@@ -162,6 +167,26 @@ fn x3p_archives_zipped_with_their_folder_read() {
 }
 
 #[test]
+fn increments_of_absolute_heights_and_unknown_keys_are_said() {
+    let xml = x3p_description(3, 2, 1)
+        .replace("<DataType>F", "<DataType>F</DataType><Increment>1e-6</Increment><X>F");
+    let xml = xml.replace("<X>F</DataType>", "");
+    let points = floats(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+    let file = archive(&[("main.xml", xml.as_bytes()), ("bindata/data.bin", &points)]);
+    let surface = read_bytes(&file, "a.x3p").unwrap();
+    assert!(
+        surface.warnings[0].contains("no increment is foreseen; they are multiplied"),
+        "{:?}",
+        surface.warnings
+    );
+    assert!((surface.heights[5] / 6e-6 - 1.0).abs() < 1e-15);
+    let text = std::fs::read_to_string(data("ascii.sdf")).unwrap();
+    assert!(read_bytes(text.as_bytes(), "a.sdf").unwrap().warnings.is_empty());
+    let more = read_bytes(text.replacen("NumPoints", "Gain = 2\nNumPoints", 1).as_bytes(), "a.sdf").unwrap();
+    assert_eq!(more.warnings, ["keys of the header are not understood: \"Gain\""]);
+}
+
+#[test]
 fn x3p_archives_of_several_surfaces_are_read_by_number() {
     let (xml, first, second) = (x3p_description(2, 1, 1), floats(&[1.0, 2.0]), floats(&[3.0, 4.0]));
     let file = archive(&[
@@ -222,7 +247,7 @@ fn profiles_need_no_distance_across() {
     assert_eq!((profile.nx, profile.ny), (points as usize, 1));
     assert_eq!(profile.spacing.map(|[dx, dy]| dx.to_bits() == dy.to_bits()), Some(true));
     let map = patched("cut.sur", &[(196, &[0; 16]), (244, &[0; 16])]);
-    assert!(read_bytes(&map, "a.sur").unwrap_err().to_string().contains("y unit \"\" is no length"));
+    assert!(read_bytes(&map, "a.sur").unwrap_err().to_string().contains("y: \"\" is no unit of length"));
 }
 
 #[test]
@@ -241,7 +266,7 @@ fn profiles_of_the_smd_format_read() {
         ("I 4.0e+000 MM 2.5e-004 D", "-2\n2", "2 heights, the axes say 4 x 1"),
         ("I 4.0e+000 MM 2.5e-004 D", "-2\n2\n1\nx", "line 10: \"x\" is not a number"),
         ("A 4.0e+000 MM 2.5e-004 D", "1\n2\n3\n4", "not of type I"),
-        ("I 4.0e+000 V 2.5e-004 D", "1\n2\n3\n4", "CX unit \"v\" is no length"),
+        ("I 4.0e+000 V 2.5e-004 D", "1\n2\n3\n4", "CX: \"v\" is no unit of length"),
         ("I 4.0e+000 MM 0 D", "1\n2\n3\n4", "dx = 0 m"),
     ] {
         let error = read_bytes(text(axis, heights).as_bytes(), "a.prf").unwrap_err().to_string();

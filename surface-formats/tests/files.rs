@@ -208,8 +208,10 @@ fn formats_without_a_reader_are_named() {
         |names: &[&str]| common::archive(&names.iter().map(|name| (*name, &b""[..])).collect::<Vec<_>>());
     let error = read_bytes(&folder(&["index.xml", "LAYER_0.raw"]), "a.plux").unwrap_err().to_string();
     assert!(error.contains("Sensofar plux"), "{error}");
-    let error = read_bytes(&folder(&["[Content_Types].xml"]), "a.xlsx").unwrap_err().to_string();
-    assert!(error.contains("Excel workbook"), "{error}");
+    let sheets = b"<sheet name=\"Certificate\"/><sheet name=\"DATA\"/>";
+    let error =
+        read_bytes(&common::archive(&[("xl/workbook.xml", sheets)]), "a.xlsx").unwrap_err().to_string();
+    assert!(error.contains("Mitutoyo xlsx"), "{error}");
     let error = read_bytes(&folder(&["a.npy"]), "a.npz").unwrap_err().to_string();
     assert!(error.contains("NumPy archive npz"), "{error}");
 }

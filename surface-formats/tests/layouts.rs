@@ -624,8 +624,8 @@ fn texts_that_are_not_understood_are_refused_by_line_and_field() {
         ("# Width: 0 m\n# Height: 1 m\n1 2\n".to_owned(), "width = 0 m: it must be finite and > 0"),
         ("XY Calibration,-500,nm\nUnit,um\n1,2\n3,4\n".to_owned(), "xy calibration = -500"),
         ("# Width: 3 m\n1 2\n3 4\n".to_owned(), "one axis only"),
-        ("# Width: 3 V\n# Height: 3 V\n1 2\n".to_owned(), "width unit \"V\""),
-        ("# Value units: V\n1 2\n".to_owned(), "height unit \"V\""),
+        ("# Width: 3 V\n# Height: 3 V\n1 2\n".to_owned(), "width: \"V\" is no unit of length"),
+        ("# Value units: V\n1 2\n".to_owned(), "height: \"V\" is no unit of length"),
         ("# Value units: mm\n# z-unit: um\n1 2\n".to_owned(), "z unit = um contradicts value units = mm"),
         (
             "# Width: 2 um\n# Height: 1 um\n# Value units: nm\nunit: um\n1 2\n".to_owned(),

@@ -1,7 +1,7 @@
 //! Columns of positions and heights.
 
 use super::header::Header;
-use super::layout::{Lateral, lateral_of};
+use super::lateral::{Lateral, lateral_of};
 use super::raster::Axis;
 use super::table::Table;
 use crate::error::Error;
@@ -28,6 +28,8 @@ pub(super) struct Raster {
     /// NaN where undefined.
     pub(super) values: Vec<f64>,
     pub(super) lateral: Option<Lateral>,
+    /// Choices that were made.
+    pub(super) warnings: Vec<String>,
 }
 
 impl Columns {
@@ -40,7 +42,7 @@ impl Columns {
     /// The error says why there is none.
     pub(super) fn axes(&self, table: &Table) -> Result<[Axis; 2], String> {
         let axis = |place: Option<usize>, name: &str| -> Result<Axis, String> {
-            let Some(place) = place else { return Ok(Axis { first: 0.0, spacing: 0.0, count: 1 }) };
+            let Some(place) = place else { return Ok(Axis::new(0.0, 0.0, 1)) };
             let positions = table.column(place);
             if let Some(row) = positions.iter().position(|position| position.is_nan()) {
                 return Err(format!("row {}: {name} is not a number", row + 1));
@@ -84,7 +86,7 @@ impl Columns {
             let node = |axis: Axis, positions: &Option<Vec<f64>>| {
                 positions.as_ref().map_or(0, |p| axis.node(p[row]))
             };
-            let k = node(axes[1], &y) * nx + node(axes[0], &x);
+            let k = node(axes[1], &y).min(ny - 1) * nx + node(axes[0], &x).min(nx - 1);
             if std::mem::replace(&mut is_given[k], true) {
                 let (column, line) = (k % nx, k / nx);
                 return Err(source.corrupt(format!(
@@ -94,10 +96,16 @@ impl Columns {
             }
             heights[k] = value;
         }
-        let units = [0, 1].map(|k| self.units[k].or(header.lateral_unit(k)).or(source.options.unit));
+        let lateral = lateral_of(source, header, axes, self.units)?;
+        let rounded = ["x", "y"].into_iter().zip(axes).filter(|(_, axis)| axis.is_rounded);
+        let warnings = rounded.map(|(name, axis)| {
+            let Axis { spacing, count, .. } = axis;
+            format!("{name} positions are read as {count} equidistant ones, {spacing:.6e} apart and rounded, not as a finer raster with gaps")
+        });
+        let warnings = warnings.collect();
         // a profile along y is a row, too
         let size = if nx == 1 { [ny, 1] } else { [nx, ny] };
-        Ok(Raster { size, values: heights, lateral: lateral_of(axes, units) })
+        Ok(Raster { size, values: heights, lateral, warnings })
     }
 
     /// Heights without positions: rows of the size that the header counts, else one.
@@ -106,8 +114,6 @@ impl Columns {
             [Some(nx), Some(ny)] if nx.checked_mul(ny) == Some(values.len()) => [nx, ny],
             _ => [values.len(), 1],
         };
-        let (spacing, is_unit_missing) = header.spacings(source, size)?;
-        let lateral = spacing.map(|spacing| Lateral { spacing, is_unit_missing });
-        Ok(Raster { size, values, lateral })
+        Ok(Raster { size, values, lateral: Lateral::of_header(source, header, size)?, warnings: Vec::new() })
     }
 }

@@ -1,7 +1,7 @@
 //! Coordinates along the first row and the first column of a matrix.
 
 use super::header::Header;
-use super::layout::{Lateral, lateral_of};
+use super::lateral::{Lateral, lateral_of};
 use super::number::decimals;
 use super::pairs::split_unit;
 use super::raster::Axis;
@@ -128,11 +128,11 @@ fn edges(
         axis.ok_or_else(|| refused("are not equidistant".to_owned()))
     };
     let axes = [axis(0, "the first row")?, axis(1, "the first column")?];
-    let units = [0, 1].map(|k| unit.or(header.lateral_unit(k)).or(source.options.unit));
+    let has_unit = unit.or(header.lateral_unit(0)).or(source.options.unit).is_some();
     let counts_points = |axis: Axis| {
         (axis.spacing - 1.0).abs() < 1e-9 && (axis.first == 0.0 || (axis.first - 1.0).abs() < 1e-9)
     };
-    let are_indices = axes.iter().all(|axis| counts_points(*axis)) && units.iter().all(Option::is_none);
-    let lateral = if are_indices { None } else { lateral_of(axes, units) };
+    let are_indices = axes.iter().all(|axis| counts_points(*axis)) && !has_unit;
+    let lateral = if are_indices { None } else { lateral_of(source, header, axes, [unit; 2])? };
     Ok(Edges { lateral, warning: None })
 }

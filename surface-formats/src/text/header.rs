@@ -11,8 +11,6 @@ use crate::error::Error;
 use crate::source::{Source, shortened, without_unit};
 use crate::unit::LengthUnit;
 
-/// Most keys that a warning lists.
-const MOST_KEYS: usize = 8;
 /// Relative difference up to which two ways to state one length agree.
 const AGREEMENT: f64 = 0.01;
 
@@ -141,7 +139,12 @@ impl Header {
         let length = |text: &str, default: Option<LengthUnit>| {
             let found = quantity(text)
                 .ok_or_else(|| source.corrupt(format!("{name} = {} is not a length", shortened(text))))?;
-            let unit = match found.1 {
+            // "um/sample"
+            let unit = match found.1.split_once('/') {
+                Some((unit, "sample" | "pixel" | "point")) => unit,
+                _ => found.1,
+            };
+            let unit = match unit {
                 "" => key_unit,
                 unit => Some(source.unit(unit, &name)?),
             };
@@ -172,13 +175,6 @@ impl Header {
                 self.set_length(source, &name, 1, false, length)
             }
             Key::LateralUnit(axis) => self.set_lateral_unit(source, &name, axis, value),
-            Key::FirstLateralUnit => {
-                self.set_lateral_unit(source, &name, 0, value)?;
-                if self.lateral_units[1].is_none() {
-                    self.lateral_units[1] = self.lateral_units[0].clone();
-                }
-                Ok(())
-            }
             Key::LateralUnits => {
                 self.set_lateral_unit(source, &name, 0, value)?;
                 self.set_lateral_unit(source, &name, 1, value)

@@ -19,8 +19,6 @@ pub(super) enum Key {
     Spacings,
     /// Unit of lengths along an axis.
     LateralUnit(usize),
-    /// Unit of lengths along the first axis, and along the other where none is given for it.
-    FirstLateralUnit,
     /// Unit of lengths along both.
     LateralUnits,
     /// Unit of the heights.
@@ -91,9 +89,8 @@ pub(super) fn meaning(key: &str) -> Option<Key> {
         "pixel size" | "spacing" | "step" | "cellsize" | "cell size" | "xy calibration" | "resolution" => {
             Key::Spacings
         }
-        "x unit" => Key::LateralUnit(0),
+        "x unit" | "unit x" => Key::LateralUnit(0),
         "y unit" | "unit y" => Key::LateralUnit(1),
-        "unit x" => Key::FirstLateralUnit,
         "lateral unit" | "lateral units" | "xy unit" | "xy units" => Key::LateralUnits,
         "value units"
         | "value unit"

@@ -3,9 +3,11 @@
 use super::columns::Columns;
 use super::edges::{Corner, Edges, cut_edges};
 use super::header::Header;
-use super::raster::Axis;
+use super::lateral::Lateral;
+use super::roles::Roles;
+use super::suspicion;
 use super::table::Table;
-use super::titles::{Column, Titles};
+use super::titles::Titles;
 use crate::error::Error;
 use crate::source::Source;
 use crate::surface::Surface;
@@ -24,16 +26,10 @@ pub(super) struct Content<'a> {
     pub(super) table: Table,
     /// Coordinates in the line before the first row, behind a title.
     pub(super) corner: Option<Corner>,
+    /// Line before which an empty line divides the rows.
+    pub(super) division: Option<usize>,
     /// Choices that were made.
     pub(super) warnings: Vec<String>,
-}
-
-/// Lengths along x and y.
-pub(super) struct Lateral {
-    /// Distances of the points \[m\].
-    pub(super) spacing: [f64; 2],
-    /// Whether their unit is not known.
-    pub(super) is_unit_missing: bool,
 }
 
 impl Content<'_> {
@@ -59,16 +55,31 @@ impl Content<'_> {
         }
         match self.table.columns {
             1 => {
+                if let Some(count) = suspicion::count_in_front(&self.table.values) {
+                    return Err(self.source.unsupported(format!(
+                        "{count}; take them out, and give a line \"dx = 0.5 um\" in their place"
+                    )));
+                }
                 (self.table.columns, self.table.rows) = (self.table.rows, 1);
                 self.matrix(None)
             }
             2 => self.two_columns(),
             3 => self.three_columns(),
-            _ => {
-                self.drop_index();
-                self.matrix(None)
-            }
+            _ => self.several_columns(),
         }
+    }
+
+    /// Four or more columns without titles: a matrix.
+    fn several_columns(mut self) -> Result<Surface, Error> {
+        if suspicion::begins_with_positions(&self.table) {
+            return Err(self.source.unsupported(format!(
+                "{} columns without titles, the first two of which are positions of a map; a line \"x (um), y (um), z (um), ...\" \
+                 before them says which one holds the heights",
+                self.table.columns
+            )));
+        }
+        self.drop_index();
+        self.matrix(None)
     }
 
     /// A matrix of the size that the header counts, whose rows may be wrapped; or columns of as many points.
@@ -88,6 +99,15 @@ impl Content<'_> {
             let found = self.table.values.len();
             return Err(self.source.corrupt(format!("{found} heights, the header says {nx} x {ny}")));
         }
+        let (columns, rows) = (self.table.columns, self.table.rows);
+        // whole rows to a line or whole lines to a row, in the order of the header
+        let is_wrapped = columns == 1 || rows == 1 || columns % nx == 0 || nx % columns == 0;
+        let is_turned = [columns, rows] == [ny, nx] && nx != ny && columns > 1 && rows > 1;
+        if self.table.ragged.is_none() && (!is_wrapped || is_turned) {
+            return Err(self.source.corrupt(format!(
+                "{rows} rows of {columns} heights contradict the {nx} x {ny} points (x and y) of the header"
+            )));
+        }
         (self.table.columns, self.table.rows) = (nx, ny);
         self.matrix(edges)
     }
@@ -95,6 +115,15 @@ impl Content<'_> {
     /// Rows of heights, with the coordinates that stood at their edges.
     fn matrix(mut self, edges: Option<Edges>) -> Result<Surface, Error> {
         let (columns, rows) = (self.table.columns, self.table.rows);
+        let is_counted = self.header.counts().iter().all(Option::is_some);
+        if let Some(line) = self.division.filter(|_| !is_counted) {
+            return Err(self.source.unsupported(format!(
+                "an empty line before line {line} divides the rows; a file holds one surface, or a header before each"
+            )));
+        }
+        if edges.is_none() && !is_counted {
+            self.warnings.extend(suspicion::coordinates(&self.table));
+        }
         for (what, given, found) in
             [("along x", self.header.counts()[0], columns), ("along y", self.header.counts()[1], rows)]
         {
@@ -103,8 +132,7 @@ impl Content<'_> {
                 return Err(self.source.corrupt(what));
             }
         }
-        let (spacing, is_unit_missing) = self.header.spacings(self.source, [columns, rows])?;
-        let mut lateral = spacing.map(|spacing| Lateral { spacing, is_unit_missing });
+        let mut lateral = Lateral::of_header(self.source, self.header, [columns, rows])?;
         if let Some(edges) = edges {
             self.warnings.extend(edges.warning);
             lateral = lateral.or(edges.lateral);
@@ -119,32 +147,10 @@ impl Content<'_> {
     }
 
     /// Columns with titles.
-    fn titled(self, titles: &Titles) -> Result<Surface, Error> {
-        let found = titles.heights();
-        let chosen = match found.as_slice() {
-            [] => {
-                let names: Vec<&str> = titles.0.iter().map(|title| title.name.as_str()).collect();
-                return Err(self.source.unsupported(format!(
-                    "columns \"{}\", none of which is called z or height with a unit of length",
-                    names.join("\", \"")
-                )));
-            }
-            [only] => *only,
-            several => {
-                let names = several.iter().map(|place| titles.0[*place].name.clone()).collect();
-                several[self.source.choose(names)?]
-            }
-        };
-        let place = |column: Column| titles.place(column).filter(|place| *place != chosen);
-        let unit = |place: usize| titles.0.get(place).and_then(|title| title.unit);
-        let columns = Columns {
-            x: place(Column::X),
-            y: place(Column::Y),
-            z: chosen,
-            valid: place(Column::Valid),
-            units: [Column::X, Column::Y].map(|column| place(column).and_then(unit)),
-        };
-        self.columns(&columns, unit(chosen))
+    fn titled(mut self, titles: &Titles) -> Result<Surface, Error> {
+        let Roles { columns, unit, warnings } = titles.roles(self.source)?;
+        self.warnings.extend(warnings);
+        self.columns(&columns, unit)
     }
 
     /// Two columns without titles: positions and heights, or a matrix.
@@ -224,6 +230,7 @@ impl Content<'_> {
     fn columns(mut self, columns: &Columns, unit: Option<LengthUnit>) -> Result<Surface, Error> {
         let raster = columns.raster(self.source, self.header, &self.table)?;
         self.table.values = Vec::new();
+        self.warnings.extend(raster.warnings);
         self.finish(raster.size, raster.values, unit, raster.lateral)
     }
 
@@ -236,26 +243,14 @@ impl Content<'_> {
         lateral: Option<Lateral>,
     ) -> Result<Surface, Error> {
         self.source.require_size(nx, ny, None)?;
-        let scale = self.header.heights(self.source, unit)?;
+        let (is_unit_missing, takes_common_unit) = lateral
+            .as_ref()
+            .map_or((false, false), |lateral| (lateral.is_unit_missing, lateral.takes_common_unit));
+        let scale = self.header.heights(self.source, unit, takes_common_unit)?;
         let heights = self.source.scaled(nx, values, -0.0, scale.metres)?;
-        let is_unit_missing = lateral.as_ref().is_some_and(|lateral| lateral.is_unit_missing);
         let mut warnings = self.warnings;
         warnings.extend(self.header.warnings(scale.unit, is_unit_missing));
         let surface = Surface { unit: scale.unit, warnings, ..Surface::new(nx, ny, heights) };
         self.source.finish(surface.with_spacing(lateral.map(|lateral| lateral.spacing)))
     }
-}
-
-/// Spacings of a raster \[m\]; the one of a single row or column is that of the other axis.
-pub(super) fn lateral_of(axes: [Axis; 2], units: [Option<LengthUnit>; 2]) -> Option<Lateral> {
-    let metres = |k: usize| axes[k].spacing.abs() * units[k].map_or(1.0, LengthUnit::metres);
-    let several = [0, 1].map(|k| axes[k].count > 1);
-    let spacing = match several {
-        [true, true] => [metres(0), metres(1)],
-        [true, false] => [metres(0), metres(0)],
-        [false, true] => [metres(1), metres(1)],
-        [false, false] => return None,
-    };
-    let is_unit_missing = (0..2).any(|k| several[k] && units[k].is_none());
-    Some(Lateral { spacing, is_unit_missing })
 }

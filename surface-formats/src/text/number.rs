@@ -1,5 +1,7 @@
 //! Numbers and markers of undefined points in text.
 
+use std::borrow::Cow;
+
 /// How the numbers of a file are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Decimal {
@@ -124,6 +126,41 @@ pub(super) fn evidence(field: &str) -> Evidence {
         (None, Some(_)) => Evidence::Point,
         (None, None) => Evidence::None,
     }
+}
+
+/// The text with plain blanks for others, and without those and apostrophes that stand as marks of thousands: between
+/// a digit and three more, a blank of them only in a line of fields that something else separates.
+pub(super) fn without_marks_of_thousands(text: &str) -> Cow<'_, str> {
+    if !text.contains(|letter| is_other_blank(letter) || is_apostrophe(letter)) {
+        return Cow::Borrowed(text);
+    }
+    let lines = text.split_inclusive(['\n', '\r']).map(|line| {
+        let is_separated = line.trim_end_matches(['\n', '\r']).contains([',', ';', '\t', ' ']);
+        let mut plain = String::with_capacity(line.len());
+        for (at, letter) in line.char_indices() {
+            let (is_blank, is_apostrophe) = (is_other_blank(letter), is_apostrophe(letter));
+            let mut rest = line[at + letter.len_utf8()..].chars();
+            let groups = plain.ends_with(|c: char| c.is_ascii_digit())
+                && rest.by_ref().take(3).filter(char::is_ascii_digit).count() == 3
+                && !rest.next().is_some_and(|c| c.is_ascii_digit());
+            if groups && (is_apostrophe || is_blank && is_separated) {
+                continue;
+            }
+            plain.push(if is_blank { ' ' } else { letter });
+        }
+        plain
+    });
+    Cow::Owned(lines.collect())
+}
+
+/// Whether a letter is a blank that does not break a line, or a thin one.
+fn is_other_blank(letter: char) -> bool {
+    matches!(letter, '\u{a0}' | '\u{2007}' | '\u{2009}' | '\u{202f}')
+}
+
+/// Whether a letter is an apostrophe.
+fn is_apostrophe(letter: char) -> bool {
+    matches!(letter, '\'' | '\u{2019}')
 }
 
 /// Whether digits stand in groups of three between marks.

@@ -1,5 +1,6 @@
 //! Keys and values of a line.
 
+use super::keys::meaning;
 use super::number::parse_height;
 use super::style::{Separator, unquoted};
 use crate::unit::LengthUnit;
@@ -70,10 +71,10 @@ fn leading_value(text: &str) -> &str {
     if LengthUnit::parse(unit).is_some() { &text[..second] } else { &text[..first] }
 }
 
-/// `ncols 4`: the last word is a number.
+/// `ncols 4`: the last word is a number, or a marker behind a known key.
 fn by_blank(line: &str) -> Option<(&str, &str)> {
     let (key, value) = line.rsplit_once(char::is_whitespace)?;
-    parse_height(value).filter(|number| number.is_finite())?;
+    parse_height(value).filter(|number| number.is_finite() || meaning(&plain_key(key)).is_some())?;
     Some((key.trim(), value))
 }
 

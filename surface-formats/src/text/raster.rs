@@ -6,6 +6,16 @@ const TOLERANCE: f64 = 0.02;
 const SAME: f64 = 1e-6;
 /// Nodes of a raster for each position that occurs, at most.
 const SPARSEST: usize = 16;
+/// Half of the last printed digit, with room for the rounding of its binary form.
+const HALF_DIGIT: f64 = 0.51;
+/// Gaps of a raster that may be where points are missing, in number and as a share of its nodes; the more of them fall
+/// where rounded positions of equal distance leave them, the less likely that is.
+const FEW_GAPS: usize = 2;
+const SMALL_SHARE: usize = 4;
+/// Largest mean rounding over the last digit; positions that are rounded evenly have a quarter.
+const MEAN_ROUNDING: f64 = 0.4;
+/// Steps of the search for the raster of least deviation.
+const SEARCH_STEPS: usize = 40;
 
 /// Equidistant positions.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +24,8 @@ pub(super) struct Axis {
     /// Zero of a single position.
     pub(super) spacing: f64,
     pub(super) count: usize,
+    /// Whether the positions lie on a finer raster with gaps, too.
+    pub(super) is_rounded: bool,
 }
 
 /// Positions that are not equidistant.
@@ -35,19 +47,67 @@ impl Axis {
         };
         let places = distinct(&sorted, SAME * (last - first));
         if places.len() == 1 {
-            return Ok(Self { first, spacing: 0.0, count: 1 });
+            return Ok(Self::new(first, 0.0, 1));
         }
         let spacing = spacing_of(&places);
-        let axis = Self { first: places[0].0, spacing, count: 1 };
+        let axis = Self::new(places[0].0, spacing, 1);
         let (by, nodes) = axis.deviation(&places);
         // half of the last digit is rounding
-        let rounding = 0.51 * 10f64.powi(-decimals.clamp(-300, 300));
-        let fits = by <= TOLERANCE * spacing + rounding.min(0.5 * spacing);
-        if fits && nodes < (SPARSEST * places.len()) as f64 {
+        let digit = 10f64.powi(-decimals.clamp(-300, 300));
+        let fits = by <= TOLERANCE * spacing + (HALF_DIGIT * digit).min(0.5 * spacing)
+            && nodes < (SPARSEST * places.len()) as f64;
+        let nodes = if fits { nodes as usize + 1 } else { 0 };
+        let gaps = nodes.saturating_sub(places.len());
+        let has_few_gaps = fits && gaps <= FEW_GAPS && SMALL_SHARE * gaps <= nodes;
+        if gaps > 0 && !has_few_gaps || !fits {
+            let even = Self::equidistant(&places, digit);
+            if let Some(even) = even {
+                return Ok(Self { is_rounded: fits, ..even });
+            }
+        }
+        if fits {
             // positions of both ends are the best measure of the spacing
-            return Ok(Self { count: nodes as usize + 1, spacing: (last - first) / nodes, ..axis });
+            return Ok(Self::new(axis.first, (last - first) / (nodes - 1) as f64, nodes));
         }
         Err(off_raster(positions, axis))
+    }
+
+    /// Exact positions.
+    pub(super) fn new(first: f64, spacing: f64, count: usize) -> Self {
+        Self { first, spacing, count, is_rounded: false }
+    }
+
+    /// As many equidistant positions as there are `places`, all of which are at most half of the last printed digit off
+    /// them: the line `first + spacing k` between the ends or, where that fails, of least largest deviation, by a search
+    /// over the spacing.
+    fn equidistant(places: &[(f64, usize)], digit: f64) -> Option<Self> {
+        let intervals = (places.len() - 1) as f64;
+        let mean = (places[places.len() - 1].0 - places[0].0) / intervals;
+        // lowest and highest distance from the line through zero
+        let distances = |spacing: f64| {
+            let off = places.iter().enumerate().map(|(k, (place, _))| place - spacing * k as f64);
+            off.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)))
+        };
+        let width = |spacing: f64| distances(spacing).1 - distances(spacing).0;
+        // both ends may be half of a digit off
+        let (mut low, mut high) = (mean - digit / intervals, mean + digit / intervals);
+        if places.len() < 3 || mean <= digit || width(mean) > 4.0 * HALF_DIGIT * digit {
+            return None;
+        }
+        let mut spacing = mean;
+        if width(mean) > 2.0 * HALF_DIGIT * digit {
+            for _ in 0..SEARCH_STEPS {
+                let third = (high - low) / 3.0;
+                if width(low + third) < width(high - third) { high -= third } else { low += third }
+            }
+            spacing = 0.5 * (low + high);
+        }
+        let (lowest, highest) = distances(spacing);
+        let first = 0.5 * (lowest + highest);
+        let off = places.iter().enumerate().map(|(k, (place, _))| (place - first - spacing * k as f64).abs());
+        let mean_off = off.sum::<f64>() / places.len() as f64;
+        let fits = highest - lowest <= 2.0 * HALF_DIGIT * digit && mean_off <= MEAN_ROUNDING * digit;
+        fits.then(|| Self::new(first, spacing, places.len()))
     }
 
     /// Largest distance of the places from the raster, and intervals up to the last of them.
@@ -60,7 +120,7 @@ impl Axis {
 
     /// Number of the node at `position`.
     pub(super) fn node(&self, position: f64) -> usize {
-        if self.count == 1 { 0 } else { ((position - self.first) / self.spacing).round() as usize }
+        if self.count == 1 { 0 } else { ((position - self.first) / self.spacing).round().max(0.0) as usize }
     }
 }
 

@@ -25,8 +25,8 @@ pub(super) enum Separator {
 pub(super) struct Style {
     pub(super) separator: Separator,
     pub(super) decimal: Decimal,
-    /// Whether another reading was possible.
-    pub(super) is_doubtful: bool,
+    /// The reading that was taken where another one was possible.
+    pub(super) doubt: Option<&'static str>,
 }
 
 impl Separator {
@@ -90,21 +90,42 @@ fn may_have_decimal_comma(number: &str) -> bool {
 impl Style {
     /// The style in which all `lines` are rows of numbers.
     pub(super) fn of(source: Source<'_>, lines: &[Line<'_>]) -> Result<Self, Error> {
-        let (separator, is_doubtful) = separator_of(lines);
-        let decimal = match separator {
-            Separator::None => Ok(Decimal::Comma),
-            _ => decimal_of(lines, separator),
-        };
-        let decimal = decimal.map_err(|clash| source.corrupt(clash))?;
-        Ok(Self { separator, decimal, is_doubtful })
+        Self::found(lines).map_err(|clash| source.corrupt(clash))
     }
 
     /// The style of a single line.
     pub(super) fn of_line(line: &str) -> Result<Self, String> {
-        let lines = [(1, line)];
-        let (separator, is_doubtful) = separator_of(&lines);
-        Ok(Self { separator, decimal: decimal_of(&lines, separator)?, is_doubtful })
+        Self::found(&[(1, line)])
     }
+
+    /// The style of `lines`; the error names two decimal marks that contradict each other.
+    fn found(lines: &[Line<'_>]) -> Result<Self, String> {
+        let (separator, is_doubtful) = separator_of(lines);
+        if separator == Separator::None {
+            let doubt =
+                is_doubtful.then_some("commas are read as decimal marks, not as separators of two columns");
+            return Ok(Self { separator, decimal: Decimal::Comma, doubt });
+        }
+        let decimal = decimal_of(lines, separator)?;
+        let doubt = if is_doubtful {
+            Some("commas are read as separators of two columns, not as decimal marks")
+        } else if decimal == Decimal::Comma && may_be_thousands(lines, separator) {
+            Some("commas are read as decimal marks, not as marks of thousands")
+        } else {
+            None
+        };
+        Ok(Self { separator, decimal, doubt })
+    }
+}
+
+/// Whether all commas within numbers stand before three digits and behind one to three that are not zero.
+fn may_be_thousands(lines: &[Line<'_>], separator: Separator) -> bool {
+    let mut fields =
+        lines.iter().flat_map(|(_, line)| separator.split(line)).filter(|field| field.contains(','));
+    fields.all(|field| {
+        let digits = field.trim_start_matches(['+', '-']);
+        is_grouped(digits, ',') && !digits.starts_with('0')
+    })
 }
 
 /// The separator of the rows `lines`, and whether another one was possible.

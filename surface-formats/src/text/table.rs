@@ -110,6 +110,14 @@ impl Table {
         self.values.iter().skip(place).step_by(self.columns).copied().collect()
     }
 
+    /// Columns at the end that hold no number, but at most all but one.
+    pub(super) fn undefined_columns_at_end(&self) -> usize {
+        let is_undefined =
+            |place: &usize| self.values.iter().skip(*place).step_by(self.columns).all(|z| z.is_nan());
+        let even = self.ragged.is_none() && self.columns > 1;
+        if even { (1..self.columns).rev().take_while(is_undefined).count() } else { 0 }
+    }
+
     /// The error of rows of different length, if they are.
     pub(super) fn require_even(&self, source: Source<'_>) -> Result<(), Error> {
         match self.ragged {

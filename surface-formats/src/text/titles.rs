@@ -1,7 +1,9 @@
 //! Titles of columns.
 
+use super::blocks::is_comment;
+use super::keys::meaning;
 use super::number::parse_height;
-use super::pairs::split_unit;
+use super::pairs::{plain_key, quantity, split_unit};
 use super::style::{Separator, Style, unquoted};
 use crate::unit::LengthUnit;
 
@@ -15,6 +17,8 @@ pub(super) enum Column {
     Index,
     /// One for defined points, zero for others.
     Valid,
+    /// A roughness parameter.
+    Parameter,
     Other,
 }
 
@@ -40,10 +44,12 @@ impl Title {
         if unit.is_none()
             && let Some((before, last)) = name.rsplit_once([' ', '/', '_', ','])
         {
-            // "Lateral um", "X/mm", "z_nm"; one letter alone may be an axis
-            let found = LengthUnit::parse(last).filter(|_| !before.trim().is_empty());
+            // "Lateral um", "X/mm", "z_nm", "x in um"; "Sensor A" names no unit, "Raw A" does
+            let is_word = matches!(last, "A" | "in") && column(before) == Column::Other;
+            let found = LengthUnit::parse(last).filter(|_| !before.trim().is_empty() && !is_word);
             if found.is_some() {
                 (name, unit) = (before.trim_end_matches([' ', ',', '/', '_']), found);
+                name = name.strip_suffix(" in").unwrap_or(name);
             }
         }
         let is_foreign = unit.is_none() && name.ends_with([')', ']']);
@@ -51,19 +57,26 @@ impl Title {
     }
 }
 
-/// The content that the name of a column tells.
+/// The content that the name of a column tells; numbers at its end count columns of one kind.
 fn column(name: &str) -> Column {
     let name = name.to_lowercase().replace(['_', '-'], " ");
     let name = name.trim_matches(['"', ' ', '#', '.', ':']);
+    let name = Some(name.trim_end_matches(|letter: char| letter.is_ascii_digit() || letter == ' '))
+        .filter(|stem| !stem.is_empty())
+        .unwrap_or(name);
     match name {
         "x" | "distance" | "position" | "lateral" | "length" | "x position" | "x axis" | "x coordinate"
         | "lateral position" | "scan length" | "pos" | "pos x" | "x pos" | "abscissa" => Column::X,
         "y" | "y position" | "y axis" | "y coordinate" | "pos y" | "y pos" => Column::Y,
-        "z" | "height" | "heights" | "z position" | "z axis" | "z coordinate" | "elevation" | "profile"
-        | "total profile" | "raw" | "topography" | "height sensor" | "z height" | "value" => Column::Z,
+        "z" | "height" | "heights" | "z position" | "z axis" | "z coordinate" | "elevation" | "altitude"
+        | "profile" | "total profile" | "raw" | "topography" | "height sensor" | "z height" | "value" => {
+            Column::Z
+        }
         "" | "index" | "no" | "nr" | "n" | "point" | "row" | "id" | "i" | "number" | "line" | "data no"
-        | "point no" => Column::Index,
+        | "point no" | "row number" | "counter" => Column::Index,
         "valid" => Column::Valid,
+        "sa" | "sq" | "sz" | "sp" | "sv" | "ssk" | "sku" | "ra" | "rq" | "rz" | "rt" | "rp" | "rv"
+        | "rsk" | "rku" | "rms" => Column::Parameter,
         _ => Column::Other,
     }
 }
@@ -78,6 +91,9 @@ fn fields(line: &str, style: Style, columns: usize) -> Option<Vec<String>> {
         if found.len() == columns && (columns > 1 || separator == style.separator) {
             return Some(found.into_iter().map(str::to_owned).collect());
         }
+    }
+    if matches!(style.separator, Separator::Comma | Separator::Semicolon) && line.contains([',', ';']) {
+        return None;
     }
     let mut joined: Vec<String> = Vec::new();
     for word in line.split_whitespace().map(unquoted) {
@@ -112,28 +128,39 @@ impl Titles {
             return Some((Self(titles), 2));
         }
         let titles: Vec<Title> = found.iter().map(|field| Title::parse(field)).collect();
-        let knows_any = titles.iter().any(|title| matches!(title.column, Column::X | Column::Y | Column::Z));
-        (are_words(&found) && knows_any).then_some((Self(titles), 1))
+        (are_words(&found) && (are_understood(&titles) || are_titles(last, &found, style)))
+            .then_some((Self(titles), 1))
     }
 
-    /// Place of the first column with this content.
-    pub(super) fn place(&self, column: Column) -> Option<usize> {
-        self.0.iter().position(|title| title.column == column)
+    /// The names in quotes, for messages.
+    pub(super) fn names(&self) -> String {
+        quoted(self.0.iter().map(|title| title.name.as_str()))
     }
+}
 
-    /// Columns that may hold heights: those called so, else those of lengths or without unit that are nothing
-    /// else.
-    pub(super) fn heights(&self) -> Vec<usize> {
-        let of = |column: Column| -> Vec<usize> {
-            let fits = |title: &Title| title.column == column && !title.is_foreign;
-            self.0.iter().enumerate().filter(|(_, title)| fits(title)).map(|(k, _)| k).collect()
-        };
-        [Column::Z, Column::Other, Column::Y]
-            .map(of)
-            .into_iter()
-            .find(|found| !found.is_empty())
-            .unwrap_or_default()
+/// Names in quotes with commas between them.
+pub(super) fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    names.map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ")
+}
+
+/// Whether any title names a position, a height or a unit of length; a single one must be a height.
+fn are_understood(titles: &[Title]) -> bool {
+    let is_understood = |title: &Title| {
+        matches!(title.column, Column::X | Column::Y | Column::Z | Column::Parameter) || title.unit.is_some()
+    };
+    match titles {
+        [only] => matches!(only.column, Column::X | Column::Y | Column::Z),
+        several => several.iter().any(is_understood),
     }
+}
+
+/// Whether words that are not understood are titles of columns all the same: a word above each of several columns,
+/// neither a key of a header nor a sentence.
+fn are_titles(line: &str, fields: &[String], style: Style) -> bool {
+    let is_key = fields.first().is_some_and(|field| meaning(&plain_key(field)).is_some());
+    let is_sentence = style.separator == Separator::Blanks && is_comment(line);
+    let named = fields.iter().skip(1).all(|field| !field.is_empty());
+    fields.len() > 1 && named && !is_key && !is_sentence
 }
 
 /// Whether a line is a key of a header with its value.
@@ -154,8 +181,8 @@ fn is_bracketed(field: &str) -> bool {
     field.starts_with(['(', '[']) && field.ends_with([')', ']'])
 }
 
-/// Whether no field is a number.
+/// Whether no field is a number or begins with one.
 fn are_words(fields: &[String]) -> bool {
-    fields.iter().all(|field| field.is_empty() || parse_height(field).is_none_or(f64::is_nan))
+    fields.iter().all(|field| parse_height(field).is_none_or(f64::is_nan) && quantity(field).is_none())
         && fields.iter().any(|field| !field.is_empty())
 }

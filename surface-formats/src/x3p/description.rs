@@ -26,6 +26,8 @@ pub(super) struct Description {
     pub(super) scale: f64,
     /// Height of a stored zero \[m\].
     pub(super) offset: f64,
+    /// Whether floating point heights of an axis of absolute values have an increment all the same.
+    pub(super) is_scale_doubtful: bool,
     /// The stored numbers, or where they are.
     pub(super) points: Points,
     /// Name of the part with one bit for each point, set where it is defined.
@@ -84,7 +86,10 @@ impl Context<'_> {
             .and_then(|node| node.text())
             .map(|name| name.trim().to_owned())
             .filter(|name| !name.is_empty());
-        Ok(Description { nx, ny, layers, spacing, number, scale, offset, points, mask })
+        let kind = find(root, &["Record1", "Axes", "CZ", "AxisType"]).and_then(|node| node.text());
+        let is_scale_doubtful =
+            kind.map(str::trim) == Some("A") && number.is_float() && (scale - 1.0).abs() > 0.0;
+        Ok(Description { nx, ny, layers, spacing, number, scale, offset, is_scale_doubtful, points, mask })
     }
 
     /// The kind of the measurement; others than surfaces and profiles are refused.

@@ -28,6 +28,9 @@ const MAX_XML: u64 = 1 << 24;
 /// Name of the description.
 const DESCRIPTION: &str = "main.xml";
 
+/// Part of a workbook that names its sheets.
+const WORKBOOK: &str = "xl/workbook.xml";
+
 /// The archive in memory.
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
@@ -35,9 +38,10 @@ type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
     let mut archive = ZipArchive::new(Cursor::new(source.bytes))
         .map_err(|error| source.corrupt(format!("zip archive: {error}")))?;
+    require_no_workbook(source, &mut archive)?;
     let folder = choose_folder(source, &archive)?;
     let xml = part(source, &mut archive, &format!("{folder}{DESCRIPTION}"), MAX_XML)?;
-    let Description { nx, ny, layers, spacing, number, scale, offset, points, mask } =
+    let Description { nx, ny, layers, spacing, number, scale, offset, is_scale_doubtful, points, mask } =
         Context { source }.describe(&decode_text(&xml))?;
     // a choice among folders is none among layers
     let layer = if layers == 1 {
@@ -66,8 +70,26 @@ pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
     }
     stored.truncate((layer + 1) * nx * ny);
     let heights = source.scaled(nx, stored.split_off(layer * nx * ny), offset, scale)?;
-    let surface = Surface { unit: Some(LengthUnit::Metre), ..Surface::new(nx, ny, heights) };
+    let mut surface = Surface { unit: Some(LengthUnit::Metre), ..Surface::new(nx, ny, heights) };
+    if is_scale_doubtful {
+        surface.warnings.push(format!(
+            "the axis CZ holds absolute heights (type A), for which no increment is foreseen; they are multiplied by that of \
+             the file, {scale}"
+        ));
+    }
     source.finish(surface.with_spacing(Some(spacing)))
+}
+
+/// Refuses a workbook of Excel, and names those of Mitutoyo, whose sheets have fixed names.
+fn require_no_workbook(source: Source<'_>, archive: &mut Archive<'_>) -> Result<(), Error> {
+    if !names(archive).any(|name| name == WORKBOOK) {
+        return Ok(());
+    }
+    let sheets = decode_text(&part(source, archive, WORKBOOK, MAX_XML)?);
+    if ["\"DATA\"", "\"Certificate\""].into_iter().all(|sheet| sheets.contains(sheet)) {
+        return Err(Error::Foreign { path: source.path.to_owned(), format: "Mitutoyo xlsx" });
+    }
+    Err(source.unsupported("an Excel workbook xlsx; save the sheet of heights as text".to_owned()))
 }
 
 /// The folder of the only description, or of the chosen one of several, with the slash at its end.

@@ -1,7 +1,8 @@
 //! Units, scales and spacings that follow from a header.
 
-use super::{AGREEMENT, Given, Header, HeightScale, Length, LengthUnit, MOST_KEYS, Source, without_unit};
+use super::{AGREEMENT, Given, Header, HeightScale, Length, LengthUnit, Source, without_unit};
 use crate::error::Error;
+use crate::source::unknown_keys;
 
 impl Header {
     /// Number of points along x and y, where given.
@@ -16,11 +17,13 @@ impl Header {
             || self.spacings.iter().any(Option::is_some)
     }
 
-    /// Unit of the heights and metres per stored number; `title` is the unit in the title of their column.
+    /// Unit of the heights and metres per stored number; `title` is the unit in the title of their column, and lengths
+    /// along x or y take the unit that the header gives for all, or do not.
     pub(in crate::text) fn heights(
         &self,
         source: Source<'_>,
         title: Option<LengthUnit>,
+        lengths_take_common_unit: bool,
     ) -> Result<HeightScale, Error> {
         let scale_data = self.scale_data.filter(|_| self.scale_data_needed != Some(false)).unwrap_or(1.0);
         let factor = scale_data * self.factor.unwrap_or(1.0);
@@ -38,18 +41,27 @@ impl Header {
             let what = format!("{} = {own} contradicts the unit {title} of the title", given.key);
             return Err(source.corrupt(what));
         }
-        if let (Some(own), Some(given), Some(unit)) = (own, &self.height_unit, &self.unit)
-            && unit.value != own
-            && self.describes_matrix()
-            && !self.lengths_take_common_unit()
+        if let (Some(found), Some(unit)) = (title.or(own), &self.unit)
+            && unit.value != found
+            && !lengths_take_common_unit
         {
-            let (first, second) = (&given.key, &unit.key);
-            let what = format!("{second} = {} contradicts {first} = {own}; leave one of them", unit.value);
+            let other = match &self.height_unit {
+                Some(given) => format!("{} = {found}", given.key),
+                None => format!("the unit {found} of the title"),
+            };
+            let what = format!("{} = {} contradicts {other}; leave one of them", unit.key, unit.value);
             return Err(source.corrupt(what));
         }
         let unit = title.or(own).or(self.unit.as_ref().map(|given| given.value));
-        if let (None, Some(nanometres)) = (unit, self.nanometres) {
-            let unit = Some(LengthUnit::Nanometre);
+        if let Some(nanometres) = self.nanometres {
+            let agrees = |unit: LengthUnit| (nanometres * 1e-9 / unit.metres() - 1.0).abs() < AGREEMENT;
+            if let Some(unit) = unit.filter(|unit| !agrees(*unit)) {
+                let what = format!(
+                    "bit2nm = {nanometres} contradicts the unit {unit} of the heights; leave one of them"
+                );
+                return Err(source.corrupt(what));
+            }
+            let unit = unit.or(Some(LengthUnit::Nanometre));
             return Ok(HeightScale { unit, metres: factor * nanometres * 1e-9 });
         }
         let unit = unit.or(source.options.unit);
@@ -112,18 +124,49 @@ impl Header {
         Ok(Some((value * unit.map_or(1.0, LengthUnit::metres), unit.is_none())))
     }
 
-    /// Unit of positions along an axis that have none of their own.
+    /// Unit of lengths along an axis that have none of their own: that of the axis, of the other one, or of all.
     pub(in crate::text) fn lateral_unit(&self, axis: usize) -> Option<LengthUnit> {
-        [&self.lateral_units[axis], &self.unit].into_iter().flatten().map(|given| given.value).next()
+        let given = [&self.lateral_units[axis], &self.lateral_units[1 - axis], &self.unit];
+        given.into_iter().flatten().map(|given| given.value).next()
+    }
+
+    /// Unit of positions along an axis, `title` in that of their column.
+    pub(in crate::text) fn position_unit(
+        &self,
+        source: Source<'_>,
+        axis: usize,
+        title: Option<LengthUnit>,
+    ) -> Result<Option<LengthUnit>, Error> {
+        if let (Some(title), Some(given)) = (title, &self.lateral_units[axis])
+            && title != given.value
+        {
+            let what = format!("{} = {} contradicts the unit {title} of the title", given.key, given.value);
+            return Err(source.corrupt(what));
+        }
+        Ok(title.or(self.lateral_unit(axis)).or(source.options.unit))
+    }
+
+    /// Whether the header gives no unit of lengths along x and y.
+    pub(in crate::text) fn has_no_lateral_unit(&self) -> bool {
+        self.lateral_units.iter().all(Option::is_none)
     }
 
     /// Whether a length of the header has neither a unit of its own nor one of its axis.
-    fn lengths_take_common_unit(&self) -> bool {
-        let is_bare = |axis: usize| {
-            let lengths = [&self.sizes[axis], &self.spacings[axis]];
-            lengths.into_iter().flatten().any(|given| given.value.unit.is_none())
-        };
-        (0..2).any(|axis| self.lateral_units[axis].is_none() && is_bare(axis))
+    pub(in crate::text) fn lengths_take_common_unit(&self) -> bool {
+        let mut lengths = self.sizes.iter().chain(&self.spacings).flatten();
+        self.has_no_lateral_unit() && lengths.any(|given| given.value.unit.is_none())
+    }
+
+    /// The axis whose length is in nanometres by its key, were there not the unit of the other axis.
+    fn borrowed_unit(&self) -> Option<String> {
+        (0..2).find_map(|axis| {
+            let length = self.sizes[axis].as_ref().filter(|given| given.value.unit.is_none())?;
+            let other = self.lateral_units[1 - axis].as_ref()?;
+            let is_borrowed = length.value.default.is_some() && self.lateral_units[axis].is_none();
+            is_borrowed.then(|| {
+                format!("{} has no unit and is read in that of {}, {}", length.key, other.key, other.value)
+            })
+        })
     }
 
     /// The warnings that the header gives rise to.
@@ -133,13 +176,8 @@ impl Header {
         lateral_unit_missing: bool,
     ) -> Vec<String> {
         let mut warnings = Vec::new();
-        if !self.unknown.is_empty() {
-            let listed: Vec<String> =
-                self.unknown.iter().take(MOST_KEYS).map(|key| format!("\"{key}\"")).collect();
-            let more = self.unknown.len().saturating_sub(MOST_KEYS);
-            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-            warnings.push(format!("keys of the header are not understood: {}{more}", listed.join(", ")));
-        }
+        warnings.extend(unknown_keys(&self.unknown));
+        warnings.extend(self.borrowed_unit());
         if heights.is_none() {
             let remedy = "a line \"unit: um\" before the heights names it, or the option unit";
             warnings.push(without_unit(remedy));
