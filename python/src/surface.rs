@@ -45,15 +45,17 @@ impl Surface {
 
 #[pymethods]
 impl Surface {
-    /// Heights that are not finite are undefined.
+    /// Heights that are not finite are undefined; `unit` and `warnings` are those of the file.
     #[new]
-    #[pyo3(signature = (heights, dx=None, dy=None, defined=None))]
+    #[pyo3(signature = (heights, dx=None, dy=None, defined=None, unit=None, warnings=None))]
     fn new(
         py: Python<'_>,
         heights: PyReadonlyArray2<'_, f64>,
         dx: Option<f64>,
         dy: Option<f64>,
         defined: Option<PyReadonlyArray2<'_, bool>>,
+        unit: Option<&str>,
+        warnings: Option<Vec<String>>,
     ) -> PyResult<Self> {
         let [ny, nx] = numpy::PyUntypedArrayMethods::shape(&*heights) else {
             return Err(raise(py, "ShapeError", "heights: it must have two axes", Some("heights"), None));
@@ -69,7 +71,12 @@ impl Surface {
             value(py, same_length(given.len(), known.len()))?;
             known.iter_mut().zip(given).for_each(|(known, given)| *known &= given);
         }
-        value(py, Heights::new(*nx, *ny, spacing, values, Some(known))).map(Self)
+        let made = value(py, Heights::new(*nx, *ny, spacing, values, Some(known)))?;
+        let made = made.with_warnings(warnings.unwrap_or_default());
+        Ok(Self(match unit.and_then(LengthUnit::parse) {
+            Some(unit) => made.with_unit(unit),
+            None => made,
+        }))
     }
 
     /// Reads a file; `channel` counts from 1, `unit` is that of lengths without one.

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import dataclass, field, replace
 from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._stribeck import quantity
-from .errors import InputError, SurfaceError
+from .errors import InputError, StribeckWarning, SurfaceError
 
 if TYPE_CHECKING:
     from .surface import Surface
@@ -22,62 +22,148 @@ Spacing = tuple[float | None, float | None]
 _TOLERANCE = 0.02
 
 
-def taken(values: Any) -> tuple[Any, Spacing]:
-    """Heights of the shape ``(ny, nx)`` and spacing of a surface of any package; anything else as it is."""
+#: Units of length [m] of SurfaceTopography and xarray; signs for micro and Angstrom are written in ASCII.
+_UNITS = {
+    "km": 1e3,
+    "m": 1.0,
+    "dm": 1e-1,
+    "cm": 1e-2,
+    "mm": 1e-3,
+    "um": 1e-6,
+    "nm": 1e-9,
+    "A": 1e-10,
+    "pm": 1e-12,
+    "in": 25.4e-3,
+}
+_ASCII = {"\u00b5": "u", "\u03bc": "u", "\u00c5": "A", "\u212b": "A", "inch": "in"}
+#: Words in the names of channels that hold no heights, though their unit may be a length.
+_NO_HEIGHTS = ("phase", "amplitude", "deflection", "friction", "lateral", "current", "error")
+#: Readers of SurfaceTopography for text, which take more for heights than is.
+_TEXT_READERS = ("asc", "xyz")
+
+
+@dataclass(frozen=True)
+class Taken:
+    """A surface of any package, lengths in metres."""
+
+    heights: Any
+    spacing: Spacing = (None, None)
+    #: That of the heights before.
+    unit: str | None = None
+    #: Units that are not known, a sentence each.
+    doubts: list[str] = field(default_factory=list)
+    is_periodic: bool = False
+
+    def say(self, name: str, depth: int) -> None:
+        """Issues the doubts as warnings about ``name``."""
+        for doubt in self.doubts:
+            warnings.warn(StribeckWarning(name, None, doubt, ""), stacklevel=depth + 1)
+
+
+def taken(values: Any, unit: str | None = None, *, has_spacing: bool = False) -> Taken:
+    """Heights of the shape ``(ny, nx)`` and spacing of a surface of any package; anything else as it is. ``unit`` is that of lengths for
+    which the surface names none; with a spacing given beside it that of the surface does not matter."""
     from .surface import Surface
 
     if isinstance(values, Surface):
-        return values.heights, (values.dx, values.dy)
-    if callable(getattr(values, "heights", None)) and hasattr(values, "physical_sizes"):
-        return _of_topography(values)
-    if hasattr(values, "dims") and hasattr(values, "coords") and hasattr(values, "transpose"):
-        return _of_xarray(values)
-    return values, (None, None)
+        found = Taken(values.heights, (values.dx, values.dy), values.unit, values.warnings, values.is_periodic)
+    elif callable(getattr(values, "heights", None)) and hasattr(values, "physical_sizes"):
+        return _of_topography(values, _Units(unit, has_spacing))
+    elif hasattr(values, "dims") and hasattr(values, "data_vars"):
+        names = ", ".join(map(str, values.data_vars))
+        raise InputError(f"heights: a Dataset ({names}), take one of its variables", field="heights", value=values)
+    elif hasattr(values, "dims") and hasattr(values, "coords") and hasattr(values, "transpose"):
+        return _of_xarray(values, _Units(unit, has_spacing))
+    else:
+        found = Taken(values)
+    if unit is not None:
+        raise InputError(f"unit = {unit!r}: the heights of an array or a Surface are in metres", field="unit", value=unit)
+    return found
 
 
-def _metres(field: str, unit: Any) -> float:
-    """Length of a unit [m]; None is a metre."""
-    if unit is None:
-        return 1.0
-    # both signs for micro
-    name = str(unit).replace("\u00b5", "u").replace("\u03bc", "u")
-    return quantity(field, f"1 {name}", "m")
+class _Units:
+    """Units of a surface, and the doubts about them."""
+
+    def __init__(self, option: str | None, has_spacing: bool) -> None:
+        self.option = option
+        self.has_spacing = has_spacing
+        self.doubts: list[str] = []
+        if option is not None:
+            _metres("unit", option)
+
+    def of_heights(self, field: str, unit: Any) -> tuple[float, str | None]:
+        """Length of the unit of the heights [m], and its name."""
+        name = self._named(unit, "the unit of the heights is not known")
+        return (1.0, None) if name is None else _metres(field, name)
+
+    def along(self, field: str, unit: Any) -> float:
+        """Length of the unit of positions [m]."""
+        missing = None if self.has_spacing else "the unit of the lengths along x and y is not known"
+        name = self._named(unit, missing)
+        return 1.0 if name is None else _metres(field, name)[0]
+
+    def _named(self, unit: Any, missing: str | None) -> str | None:
+        name = self.option if unit is None else str(unit)
+        doubt = f"{missing}, their numbers are taken as metres; the option unit names it"
+        if name is None and missing is not None and doubt not in self.doubts:
+            self.doubts.append(doubt)
+        return name
 
 
-def _of_topography(topography: Any) -> tuple[Any, Spacing]:
-    """Heights and spacing of a topography of SurfaceTopography, whose arrays are ``(nx, ny)``."""
+def _metres(field: str, unit: str) -> tuple[float, str]:
+    """Length of a unit [m], and its name in ASCII."""
+    name = unit.strip()
+    for sign, plain in _ASCII.items():
+        name = name.replace(sign, plain)
+    metres = _UNITS.get(name)
+    if metres is None:
+        raise InputError(f"{field} = {unit!r}: must be a unit of length: {', '.join(_UNITS)}", field=field, value=unit)
+    return metres, name
+
+
+def _of_topography(topography: Any, units: _Units) -> Taken:
+    """A topography of SurfaceTopography, whose arrays are ``(nx, ny)``."""
     if not getattr(topography, "is_uniform", True):
         message = "heights: the points of the topography are not equidistant; its to_uniform() makes them so"
         raise InputError(message, field="heights", value=topography)
-    metres = _metres("heights.unit", topography.unit)
+    # one unit, or those of positions and heights
+    lateral, own = topography.unit if isinstance(topography.unit, tuple) else (topography.unit, topography.unit)
+    metres, name = units.of_heights("heights.unit", own)
     heights = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan) * metres
     heights = heights[:, np.newaxis] if heights.ndim == 1 else heights
     sizes = topography.physical_sizes
-    if sizes is None:
-        return heights.T, (None, None)
-    spacing = [float(size) * metres / count for size, count in zip(np.atleast_1d(sizes), heights.shape, strict=False)]
-    return heights.T, (spacing[0], spacing[-1])
+    spacing: Spacing = (None, None)
+    if sizes is not None:
+        along = units.along("heights.unit", lateral)
+        steps = [float(size) * along / count for size, count in zip(np.atleast_1d(sizes), heights.shape, strict=False)]
+        spacing = (steps[0], steps[-1])
+    return Taken(heights.T, spacing, name, units.doubts, bool(getattr(topography, "is_periodic", False)))
 
 
-def _of_xarray(values: Any) -> tuple[Any, Spacing]:
-    """Heights and spacing of a DataArray with the dimensions y and x, in any order, or those of its order."""
+def _unit_of(attributes: Any) -> Any:
+    return attributes.get("units", attributes.get("unit"))
+
+
+def _of_xarray(values: Any, units: _Units) -> Taken:
+    """A DataArray with the dimensions y and x, in any order, or those of its order."""
     dims = [str(dim) for dim in values.dims]
     if len(dims) == 1:
         values = values.expand_dims("y")
     elif len(dims) == 2 and set(dims) == {"x", "y"}:
         values = values.transpose("y", "x")
-    heights = np.asarray(values.values, dtype=np.float64) * _metres("heights.units", values.attrs.get("units"))
+    metres, name = units.of_heights("heights.units", _unit_of(values.attrs))
+    heights = np.asarray(values.values, dtype=np.float64) * metres
     spacing: list[float | None] = [None, None]
     for axis, dim in enumerate(values.dims):
-        if dim not in values.coords or values.sizes[dim] < 2:
+        if axis > 1 or dim not in values.coords or values.sizes[dim] < 2:
             continue
         coordinate = values.coords[dim]
         step, falls = _step(str(dim), np.asarray(coordinate.values, dtype=np.float64))
-        spacing[axis] = step * _metres(f"heights.{dim}.units", coordinate.attrs.get("units"))
+        spacing[axis] = step * units.along(f"heights.{dim}.units", _unit_of(coordinate.attrs))
         if falls:
             heights = np.flip(heights, axis)
     dy, dx = spacing
-    return heights, (dx if dx is not None else dy, dy if dy is not None else dx)
+    return Taken(heights, (dx if dx is not None else dy, dy if dy is not None else dx), name, units.doubts)
 
 
 def _step(name: str, positions: np.ndarray[Any, Any]) -> tuple[float, bool]:
@@ -109,8 +195,8 @@ def to_surface_topography(surface: Surface) -> Any:
     ny, nx = surface.shape
     heights = surface.to_masked() if surface.undefined else surface.heights
     if ny == 1:
-        return package.UniformLineScan(heights[0], nx * dx, unit="m")
-    return package.Topography(heights.T, (nx * dx, ny * dy), unit="m")
+        return package.UniformLineScan(heights[0], nx * dx, unit="m", periodic=surface.is_periodic)
+    return package.Topography(heights.T, (nx * dx, ny * dy), unit="m", periodic=surface.is_periodic)
 
 
 def _known_spacing(surface: Surface) -> tuple[float, float]:
@@ -119,22 +205,22 @@ def _known_spacing(surface: Surface) -> tuple[float, float]:
     return surface.dx, surface.dy
 
 
-def can_read(place: str) -> bool:
-    """Whether the file is binary and the package SurfaceTopography is installed: it takes more text for heights than is."""
-    with open(place, "rb") as file:
-        is_binary = b"\0" in file.read(4096)
-    return is_binary and find_spec("SurfaceTopography") is not None
-
-
-def read(place: str, channel: int | None, refused: SurfaceError) -> Any:
-    """The topography of a file by SurfaceTopography; ``refused`` is the error of the file where that does not know it either."""
+def read(place: str, channel: int | None, unit: str | None, refused: SurfaceError) -> Taken:
+    """The surface of a file by SurfaceTopography; ``refused`` is the error of a file that this does not know either."""
+    if find_spec("SurfaceTopography") is None:
+        raise refused
     # warnings of the package itself
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        return _read(place, channel, refused)
+        try:
+            return _read(place, channel, unit, refused)
+        except SurfaceError:
+            raise
+        except InputError as error:
+            raise SurfaceError(f"{place}: {error}", field=error.field, value=place) from error
 
 
-def _read(place: str, channel: int | None, refused: SurfaceError) -> Any:
+def _read(place: str, channel: int | None, unit: str | None, refused: SurfaceError) -> Taken:
     package, errors = import_module("SurfaceTopography"), import_module("SurfaceTopography.Exceptions")
     try:
         reader = package.open_topography(place)
@@ -142,12 +228,46 @@ def _read(place: str, channel: int | None, refused: SurfaceError) -> Any:
         raise refused from None
     except Exception as error:
         raise SurfaceError(f"{refused}; SurfaceTopography: {error}", field="path", value=place) from error
-    names = [found.name for found in reader.channels]
-    if not 1 <= (channel or 1) <= len(names) or (channel is None and len(names) > 1):
-        listed = ", ".join(f"{k + 1} {name!r}" for k, name in enumerate(names))
-        message = f"{place}: {len(names)} surfaces ({listed}); choose one by its number, channel = 1 to {len(names)}"
-        raise SurfaceError(message, field="channel", value=place)
+    if reader.format() in _TEXT_READERS:
+        raise refused
+    number = _choose(place, channel, reader.channels) - 1
+    # sizes that the file does not give are stood in for by the number of points
+    sizes = {} if reader.channels[number].physical_sizes is not None else {"physical_sizes": reader.channels[number].nb_grid_pts}
     try:
-        return reader.topography(channel_index=(channel or 1) - 1)
+        topography = reader.topography(channel_index=number, **sizes)
     except Exception as error:
         raise SurfaceError(f"{place}: SurfaceTopography: {error}", field="path", value=place) from error
+    found = _of_topography(topography, _Units(unit, bool(sizes)))
+    return replace(found, spacing=(None, None)) if sizes else found
+
+
+def _choose(place: str, channel: int | None, channels: Any) -> int:
+    """The number of the chosen channel, from 1, which must hold heights."""
+    count = len(channels)
+
+    def error(message: str) -> SurfaceError:
+        return SurfaceError(f"{place}: {message}", field="channel", value=place)
+
+    def listed(chosen: Any) -> str:
+        return ", ".join(f"{k} {channels[k - 1].name!r}" for k in chosen)
+
+    if count == 0:
+        raise error("no surface that SurfaceTopography knows")
+    number = 1 if channel is None and count == 1 else channel
+    if number is None or not 1 <= number <= count:
+        choice = f"{count} surfaces ({listed(range(1, count + 1))}); choose one by its number, channel = 1 to {count}"
+        raise error(choice if count > 1 else "one surface alone; its number is channel = 1")
+    if not _holds_heights(channels[number - 1]):
+        others = [k for k in range(1, count + 1) if _holds_heights(channels[k - 1])]
+        remedy = f"; heights are in channel {listed(others)}" if others else ""
+        raise error(f"channel {listed([number])} holds no heights{remedy}")
+    return number
+
+
+def _holds_heights(channel: Any) -> bool:
+    """Whether kind, unit and name of a channel are those of heights."""
+    kind = getattr(channel, "data_kind", None)
+    unit = channel.unit[1] if isinstance(channel.unit, tuple) else channel.unit
+    is_length = unit is not None or not isinstance(channel.unit, tuple)
+    name = str(channel.name).lower()
+    return (kind is None or kind.name == "HEIGHT") and is_length and not any(word in name for word in _NO_HEIGHTS)

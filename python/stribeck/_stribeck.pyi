@@ -125,7 +125,13 @@ class Simulation:
 
 class Surface:
     def __new__(
-        cls, heights: _Field, dx: float | None = None, dy: float | None = None, defined: _Mask | None = None
+        cls,
+        heights: _Field,
+        dx: float | None = None,
+        dy: float | None = None,
+        defined: _Mask | None = None,
+        unit: str | None = None,
+        warnings: list[str] | None = None,
     ) -> Surface: ...
     @staticmethod
     def read(path: _Path, channel: int | None = None, unit: str | None = None) -> Surface: ...

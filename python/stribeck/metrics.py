@@ -14,7 +14,7 @@ from ._arguments import Quantity, array, mask, number, refused, surface_array, t
 from ._exchange import taken
 from ._numbers import Table
 from . import _stribeck
-from .surface import Boundary
+from .surface import Boundary, Surface
 
 __all__ = [
     "bearing",
@@ -46,16 +46,22 @@ def _cell(dx: Quantity, dy: Quantity | None) -> tuple[float, float]:
 
 
 def _heights(heights: Heights) -> npt.NDArray[np.float64]:
-    return surface_array("heights", taken(heights)[0])
+    found = taken(heights)
+    if not isinstance(heights, Surface):
+        found.say("heights", 3)
+    return surface_array("heights", found.heights)
 
 
 def _surface(heights: Heights, dx: Quantity | None, dy: Quantity | None) -> tuple[npt.NDArray[np.float64], float, float]:
     """Heights and spacing; without ``dx`` that of the surface."""
-    values, (own_dx, own_dy) = taken(heights)
+    found = taken(heights, has_spacing=dx is not None)
+    if not isinstance(heights, Surface):
+        found.say("heights", 3)
+    own_dx, own_dy = found.spacing
     if dx is None and own_dx is None:
         raise refused("dx", dx, "given: the heights have no spacing of their own")
     spacing = (own_dx, own_dy) if dx is None else _cell(dx, dy)
-    return surface_array("heights", values), float(spacing[0] or 0.0), float(spacing[1] or 0.0)
+    return surface_array("heights", found.heights), float(spacing[0] or 0.0), float(spacing[1] or 0.0)
 
 
 def height_statistics(heights: Heights) -> Table:

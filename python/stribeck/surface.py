@@ -29,7 +29,7 @@ class Surface:
     """A measured surface. Every step of a preparation gives a new one, so that steps can be chained:
     ``read(path).fill_undefined().remove_plane().s_filter(2e-6)``."""
 
-    __slots__ = ("_raw",)
+    __slots__ = ("_is_periodic", "_raw")
 
     def __init__(
         self,
@@ -37,26 +37,35 @@ class Surface:
         dx: Quantity | None = None,
         dy: Quantity | None = None,
         defined: npt.ArrayLike | None = None,
+        *,
+        unit: str | None = None,
     ) -> None:
         """Heights [m] of the shape ``(ny, nx)``, spacing [m] and which points are defined; ``dy`` is ``dx`` unless given.
 
         Points whose height is masked, NaN or infinite are undefined. ``heights`` may also be an xarray ``DataArray`` with equidistant
         coordinates, a topography of the package SurfaceTopography, whose arrays are ``(nx, ny)``, or another ``Surface``: spacing and
-        unit are then theirs.
+        unit are then theirs. ``unit`` is that of lengths for which a ``DataArray`` or a topography names none; without it they are taken as
+        metres, with a :class:`~stribeck.StribeckWarning`.
         """
-        heights, spacing = _exchange.taken(heights)
-        known = None if defined is None else mask("defined", defined)
         given = optional_number("dx", dx, "m"), optional_number("dy", dy, "m")
-        self._raw = _Surface(surface_array("heights", heights), *(given if given[0] is not None else spacing), known)
+        named = None if unit is None else text("unit", unit)
+        found = _exchange.taken(heights, named, has_spacing=given[0] is not None)
+        known = None if defined is None else mask("defined", defined)
+        spacing = given if given[0] is not None else found.spacing
+        self._raw = _Surface(surface_array("heights", found.heights), *spacing, known, found.unit, found.doubts)
+        self._is_periodic = found.is_periodic
+        if not isinstance(heights, Surface):
+            found.say("heights", 2)
 
     @classmethod
-    def _of(cls, raw: Any) -> Surface:
+    def _of(cls, raw: Any, is_periodic: bool = False) -> Surface:
         surface = cls.__new__(cls)
-        surface._raw = raw
+        surface._raw, surface._is_periodic = raw, is_periodic
         return surface
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Surface, (self.heights, self.dx, self.dy, self._raw.defined)
+        parts = (self.heights, self.dx, self.dy, self._raw.defined, self.unit, self.warnings)
+        return _restored, (parts, self._is_periodic)
 
     @property
     def heights(self) -> Field:
@@ -96,8 +105,13 @@ class Surface:
 
     @property
     def warnings(self) -> list[str]:
-        """Doubts of the reader of the file: missing units, keys that are not understood, layouts chosen among several."""
+        """Doubts of the reader of the file or of the object: missing units, keys that are not understood, layouts chosen among several."""
         return self._raw.warnings
+
+    @property
+    def is_periodic(self) -> bool:
+        """Whether the topography that the surface was made of repeats; steps of a preparation do not keep that."""
+        return self._is_periodic
 
     def with_spacing(self, dx: Quantity, dy: Quantity | None = None) -> Surface:
         """The same heights with other distances of the points [m]."""
@@ -185,6 +199,10 @@ class Surface:
         return f"<Surface of {self.shape[1]} x {self.shape[0]} points, {spacing}, {self.undefined} undefined>"
 
 
+def _restored(parts: tuple[Any, ...], is_periodic: bool) -> Surface:
+    return Surface._of(_Surface(*parts), is_periodic)
+
+
 def read(path: str | os.PathLike[str], *, channel: int | None = None, unit: str | None = None) -> Surface:
     """Reads a file of an instrument: x3p, sur, sdf, prf, plu, al3d, npy or text; other formats by the package SurfaceTopography, where it is
     installed (``pip install "stribeck[formats]"``).
@@ -195,18 +213,23 @@ def read(path: str | os.PathLike[str], *, channel: int | None = None, unit: str 
     """
     place = _path("path", path)
     chosen = None if channel is None else whole("channel", channel)
+    named = None if unit is None else text("unit", unit)
     try:
-        surface = Surface._of(_Surface.read(place, chosen, None if unit is None else text("unit", unit)))
+        surface = Surface._of(_Surface.read(place, chosen, named))
     except SurfaceError as error:
         if error.field != "format":
             raise
         refused = SurfaceError(str(error), field="path", value=place)
-        if not _exchange.can_read(place):
-            raise refused from None
-        return Surface(_exchange.read(place, chosen, refused))
+        surface = _of_other(_exchange.read(place, chosen, named, refused))
     for doubt in surface.warnings:
         warnings.warn(StribeckWarning(str(place), None, doubt, ""), stacklevel=2)
     return surface
+
+
+def _of_other(found: _exchange.Taken) -> Surface:
+    """The surface of a file that another package has read."""
+    raw = _Surface(surface_array("heights", found.heights), *found.spacing, None, found.unit, found.doubts)
+    return Surface._of(raw, found.is_periodic)
 
 
 #: Lengths and numbers that describe a random surface, with their units.
@@ -255,6 +278,9 @@ def generate(
     if length is not None:
         options = {"length_x": length, "length_y": length, **options}
     taken: dict[str, Any] = {}
+    if None not in (options.get("exact_rq"), options.get("height")):
+        value = options["exact_rq"]
+        raise InputError(f"exact_rq = {value!r}: stands in place of height, give one of them", field="exact_rq", value=value)
     for name, value in options.items():
         if name in _OPTIONS:
             taken[name] = optional_number(f"roughness.{name}", value, _OPTIONS[name])

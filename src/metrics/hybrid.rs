@@ -24,7 +24,7 @@ use crate::grid::Grid;
 pub struct HybridParameters {
     /// Root mean square gradient; of a line the slope along it alone.
     pub sdq: f64,
-    /// Developed area over projected area, less 1; zero for a line.
+    /// Developed area over projected area, less 1; of a line its developed length over its projected one, less 1.
     pub sdr: f64,
 }
 
@@ -37,7 +37,7 @@ pub struct HybridParameters {
 /// Slopes are those of the seven-point formula
 /// `(z[i+3] - 9 z[i+2] + 45 z[i+1] - 45 z[i-1] + 9 z[i-2] - z[i-3]) / (60 dx)`
 /// at points whose seven points are defined. Where an axis has no such point the formula of five, three or two
-/// points stands in. Both parameters grow with the resolution of a surface that is rough at every scale: filter
+/// points stands in. A line (one row or one column) has the slope along it alone, and Sdr is the excess of its length. Both parameters grow with the resolution of a surface that is rough at every scale: filter
 /// first.
 ///
 /// Sources: ISO 25178-2 (definitions), ISO 4287:1997, 3.2.9 (formula).
@@ -64,14 +64,17 @@ pub fn hybrid_parameters(
     let field = Field { mask, heights };
     let along_x = Slopes::of(&field, Line { points: nx, lines: ny, step: 1, between: nx }, grid.dx());
     let along_y = Slopes::of(&field, Line { points: ny, lines: nx, step: nx, between: 1 }, grid.dy());
+    let is_line = nx == 1 || ny == 1;
     let (mut square_x, mut square_y, mut area) = (Mean::default(), Mean::default(), Mean::default());
     for k in 0..heights.len() {
         let (i, j) = (k % nx, k / nx);
         let (p, q) = (along_x.at(i, k), along_y.at(j, k));
         p.iter().for_each(|p| square_x.add(p * p));
         q.iter().for_each(|q| square_y.add(q * q));
-        if let (Some(p), Some(q)) = (p, q) {
-            area.add(excess(p * p + q * q));
+        match (p, q) {
+            (Some(p), Some(q)) => area.add(excess(p * p + q * q)),
+            (Some(slope), None) | (None, Some(slope)) if is_line => area.add(excess(slope * slope)),
+            _ => {}
         }
     }
     if square_x.count + square_y.count == 0 {

@@ -167,6 +167,13 @@ impl Heights {
         self.unit
     }
 
+    /// The same heights with the `warnings` of another reader.
+    #[must_use]
+    pub fn with_warnings(mut self, warnings: Vec<String>) -> Self {
+        self.warnings = warnings;
+        self
+    }
+
     /// Warnings of the file reader, one sentence each: missing units, unknown header keys, an ambiguous layout.
     ///
     /// ```

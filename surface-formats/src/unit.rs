@@ -13,6 +13,8 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LengthUnit {
+    /// km
+    Kilometre,
     /// m
     Metre,
     /// cm
@@ -33,7 +35,8 @@ pub enum LengthUnit {
 
 impl LengthUnit {
     /// All units.
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
+        Self::Kilometre,
         Self::Metre,
         Self::Centimetre,
         Self::Millimetre,
@@ -49,6 +52,7 @@ impl LengthUnit {
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
         Some(match text {
+            "km" => Self::Kilometre,
             "m" | "\u{43c}" => Self::Metre,
             "cm" => Self::Centimetre,
             "mm" | "MM" | "\u{43c}\u{43c}" => Self::Millimetre,
@@ -95,6 +99,7 @@ impl LengthUnit {
     #[must_use]
     pub fn metres(self) -> f64 {
         match self {
+            Self::Kilometre => 1e3,
             Self::Metre => 1.0,
             Self::Centimetre => 1e-2,
             Self::Millimetre => 1e-3,
@@ -110,6 +115,7 @@ impl LengthUnit {
 impl fmt::Display for LengthUnit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::Kilometre => "km",
             Self::Metre => "m",
             Self::Centimetre => "cm",
             Self::Millimetre => "mm",

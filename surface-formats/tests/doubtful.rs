@@ -173,7 +173,7 @@ fn empty_lines_divide_surfaces() {
     // single rows, lists of positions and counted points
     assert_eq!(read("1 2 3 4\n\n5 6 7 9\n\n1 2 3 4\n").ny, 3);
     assert_eq!(read("x (um) y (um) z (um)\n0 0 1\n1 0 2\n\n0 1 3\n1 1 5\n").ny, 2);
-    assert_eq!(read("ncols 4\nnrows 2\n1 2\n3 4\n\n5 6\n7 8\n").ny, 2);
+    assert_eq!(read("ncols 6\nnrows 2\n1 2 3\n4 5 6\n\n7 8 9\n1 2 4\n").ny, 2);
 }
 
 #[test]
