@@ -391,8 +391,8 @@ fn gradient_and_area_of_a_software_gauge_are_the_stated_ones() {
     assert_relative_eq!(hybrid.sdq, slope / 2f64.sqrt(), max_relative = 0.03);
     let n = 400;
     let mut sdr = 0.0;
+    let turn = |m: usize| std::f64::consts::TAU * (m as f64 + 0.5) / n as f64;
     for k in 0..n * n {
-        let turn = |m: usize| std::f64::consts::TAU * (m as f64 + 0.5) / n as f64;
         let (x, y) = (turn(k % n), turn(k / n));
         let (p, q) = (slope * x.sin() * y.cos(), slope * x.cos() * y.sin());
         sdr += ((1.0 + p * p + q * q).sqrt() - 1.0) / (n * n) as f64;
@@ -403,6 +403,9 @@ fn gradient_and_area_of_a_software_gauge_are_the_stated_ones() {
     let row: Vec<f64> = line.nodes().map(|(x, _)| amplitude * (wave * x).cos()).collect();
     let hybrid = hybrid_parameters(&line, &row, None).unwrap();
     assert_relative_eq!(hybrid.sdq, slope / 2f64.sqrt(), max_relative = 1e-6);
+    // and the excess of the length of its curve
+    let excess = |k: usize| (1.0 + (slope * turn(k).sin()).powi(2)).sqrt() - 1.0;
+    assert_relative_eq!(hybrid.sdr, (0..n).map(excess).sum::<f64>() / n as f64, max_relative = 1e-5);
 }
 
 #[test]
@@ -421,11 +424,9 @@ fn slopes_of_known_shapes() {
     for (n, expected) in [(6, 3.0), (4, 3.0), (2, 3.0)] {
         let few = Grid::centred(n, 1, 1.0, 1.0).unwrap();
         let ramp: Vec<f64> = (0..n).map(|i| 3.0 * i as f64).collect();
-        assert_relative_eq!(
-            hybrid_parameters(&few, &ramp, None).unwrap().sdq,
-            expected,
-            max_relative = 1e-14
-        );
+        let hybrid = hybrid_parameters(&few, &ramp, None).unwrap();
+        assert_relative_eq!(hybrid.sdq, expected, max_relative = 1e-14);
+        assert_relative_eq!(hybrid.sdr, 10f64.sqrt() - 1.0, max_relative = 1e-14);
     }
 }
 

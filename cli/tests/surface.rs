@@ -80,6 +80,31 @@ fn bad_files_give_one_line() {
     assert_eq!(error_of(&stribeck(&["surface", text(&plain)])), "");
 }
 
+#[test]
+fn a_long_profile_has_a_spectrum_and_a_developed_length() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("trace.csv");
+    // 1 and 2 um by turns of 100 points, positions rounded to a tenth
+    let row = |k: usize| format!("{:.1},{}\n", 0.15625 * k as f64, 76_320.5 + (k / 100 % 2) as f64);
+    std::fs::write(&path, "x (um),z (um)\n".to_owned() + &(0..9600).map(row).collect::<String>()).unwrap();
+    let out = folder.path().join("out");
+    let output = stribeck(&["surface", text(&path), "--json", "--plot", "--out", text(&out)]);
+    let report = json_of(&output);
+    assert_eq!((report["nx"].as_u64(), report["undefined"].as_u64()), (Some(9600), Some(0)), "{report}");
+    assert!(report["sdr"].as_f64().unwrap() > 0.0, "{report}");
+    assert!(report["warnings"][0].as_str().unwrap().contains("9600 equidistant ones"), "{report}");
+    assert_pictures(&out, "trace_surface", &["profiles along x", "Height 76320.50 to 76321.50"]);
+    let svg = std::fs::read_to_string(out.join("trace_surface.svg")).unwrap();
+    assert!(!svg.contains("no spectrum") && !svg.contains("profiles along y"));
+    assert_refused(&["surface", text(&path), "--channel", "2"], &["trace.csv: one surface alone"]);
+    std::fs::write(&path, "nan nan\nnan nan\n").unwrap();
+    assert_refused(&["surface", text(&path)], &["trace.csv: all 4 points", "undefined"]);
+    let picture = folder.path().join("a.png");
+    std::fs::write(&picture, b"\x89PNG\r\n\x1a\n").unwrap();
+    let refused = error_of(&stribeck(&["surface", text(&picture)]));
+    assert!(refused.contains("PNG picture") && !refused.contains("stribeck.surface.read"), "{refused}");
+}
+
 /// A rough roller of radius 4 mm and its axis along y, tilted, with its heights in micrometres.
 fn roller() -> String {
     let mut file = "# Width: 640 um\n# Height: 480 um\n# Value units: um\n".to_owned();

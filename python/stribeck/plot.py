@@ -258,13 +258,32 @@ def surface(measured: Surface) -> Figure:
     axes[0, 2].hist(heights.compressed(), bins=60, density=True)
     axes[0, 2].set(xlabel="height, um", ylabel="density, 1/um")
     _bearing(axes[1, 0], measured)
+    if ny == 1:
+        # a line as wide as it is long
+        axes[0, 0].set_aspect("auto")
     if known and min(nx, ny) >= 4:
-        wavenumber, density = radial_spectrum(measured, boundary="open")
-        shown = density > 0.0
-        axes[1, 1].loglog(wavenumber[shown], density[shown])
-    axes[1, 1].set(xlabel="wavenumber, 1/m", ylabel="radial spectral density, m^4")
+        _spectrum(axes[1, 1], *radial_spectrum(measured, boundary="open"), "radial spectral density, m^4")
+    elif measured.dx is not None and ny == 1 and nx >= 4:
+        _spectrum(axes[1, 1], *_profile_spectrum(measured.fill_undefined().heights[0], measured.dx), "spectral density, m^3")
+    else:
+        axes[1, 1].set_title("no spectrum: too few points or no spacing")
     axes[1, 2].set_axis_off()
     return figure
+
+
+def _spectrum(axes: Axes, wavenumber: npt.NDArray[Any], density: npt.NDArray[Any], label: str) -> None:
+    shown = density > 0.0
+    axes.loglog(wavenumber[shown], density[shown])
+    axes.set(xlabel="wavenumber, 1/m", ylabel=label)
+
+
+def _profile_spectrum(heights: npt.NDArray[Any], dx: float) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
+    """Density ``|h(q)|^2 / L`` of a profile under a Hann window of mean square 1 (Jacobs, Junge and Pastewka 2017)."""
+    count = len(heights)
+    window = np.sqrt(2.0 / 3.0) * (1.0 - np.cos(2.0 * np.pi * (np.arange(count) + 0.5) / count))
+    transform = dx * np.fft.rfft(window * (heights - heights.mean()))[1:]
+    length = dx * count
+    return 2.0 * np.pi / length * np.arange(1, len(transform) + 1), np.abs(transform) ** 2 / length
 
 
 def _bearing(axes: Axes, measured: Surface) -> None:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import pickle
 import subprocess
 import sys
 import warnings
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -104,6 +107,97 @@ def test_topographies_of_surface_topography_are_taken_and_given_back(tmp_path: P
     assert found.shape == (3, 4) and found.heights[2, 3] == pytest.approx(12e-6)
 
 
+class Channel:
+    """A channel as SurfaceTopography describes it."""
+
+    def __init__(self, name: str, unit: Any, kind: str = "HEIGHT", sizes: tuple[float, float] | None = (2.0, 1.5)) -> None:
+        self.name, self.unit, self.physical_sizes, self.nb_grid_pts = name, unit, sizes, (4, 3)
+        self.data_kind = SimpleNamespace(name=kind)
+
+
+class Reader:
+    """A reader of SurfaceTopography whose file has these channels."""
+
+    def __init__(self, *channels: Channel) -> None:
+        self.channels = list(channels)
+
+    def format(self) -> str:
+        return "wsxm"
+
+    def topography(self, channel_index: int, physical_sizes: tuple[float, float] | None = None) -> Any:
+        channel = self.channels[channel_index]
+        sizes = channel.physical_sizes if physical_sizes is None else physical_sizes
+        module = pytest.importorskip("SurfaceTopography")
+        return module.Topography(np.nan_to_num(GAP.T * 1e6), sizes, unit=channel.unit)
+
+
+def test_formats_with_a_header_of_text_are_read_by_channel_and_unit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        module = pytest.importorskip("SurfaceTopography")
+    path = tmp_path / "a.stp"
+    path.write_bytes(b"WSxM file copyright UAM\r\n" + 5000 * b" " + bytes(16))
+
+    def holds(*channels: Channel) -> None:
+        monkeypatch.setattr(module, "open_topography", lambda place: Reader(*channels))
+
+    holds(Channel("Topography", "um"))
+    surface = read(path)
+    assert surface.shape == (3, 4) and surface.dx == pytest.approx(0.5e-6) and surface.unit == "um" and surface.warnings == []
+    with pytest.raises(stribeck.SurfaceError, match="one surface alone"):
+        read(path, channel=2)
+    holds(Channel("ZSensor", "nm"), Channel("Phase", ("nm", None)), Channel("AmplitudeError", "nm"), Channel("Bias", "nm", "VOLTAGE"))
+    for number, name in ((2, "Phase"), (3, "AmplitudeError"), (4, "Bias")):
+        with pytest.raises(stribeck.SurfaceError, match=f"channel {number} '{name}' holds no heights; heights are in channel 1 'ZSensor'"):
+            read(path, channel=number)
+    holds(Channel("no name", None))
+    with pytest.warns(stribeck.StribeckWarning) as said:
+        assert read(path).heights[0, 1] == pytest.approx(2.0)
+    assert [text.split(" is not known")[0] for text in (str(warning.message).split(": ", 1)[1] for warning in said)] == [
+        "the unit of the heights",
+        "the unit of the lengths along x and y",
+    ]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", stribeck.StribeckWarning)
+        named = read(path, unit="um")
+        assert named.heights[0, 1] == pytest.approx(2e-6) and named.dx == pytest.approx(0.5e-6) and named.unit == "um"
+        holds(Channel("z", "nm", sizes=None))
+        sizeless = read(path)
+        assert sizeless.dx is None and sizeless.with_spacing("1 um").dx == 1e-6
+    holds()
+    with pytest.raises(stribeck.SurfaceError, match=r"a\.stp: no surface"):
+        read(path)
+
+
+def test_units_of_other_packages_are_theirs_or_warned_of() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        module = pytest.importorskip("SurfaceTopography")
+    plain = np.nan_to_num(GAP.T * 1e6)
+    for unit, metres, name in (("pm", 1e-12, "pm"), ("A", 1e-10, "Angstrom"), ("\u00c5", 1e-10, "Angstrom"), ("km", 1e3, "km"), ("mm", 1e-3, "mm")):
+        surface = Surface(module.Topography(plain, (2.0, 1.5), unit=unit))
+        assert surface.dx == pytest.approx(0.5 * metres) and surface.unit == name and surface.warnings == []
+    without = module.Topography(plain, (2.0, 1.5))
+    with pytest.warns(stribeck.StribeckWarning, match="the unit of the heights is not known"):
+        assert len(Surface(without).warnings) == 2
+    with pytest.warns(stribeck.StribeckWarning, match="the unit of the heights is not known"):
+        metrics.height_statistics(without)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", stribeck.StribeckWarning)
+        named = Surface(without, unit="um")
+        assert (named.dx, named.heights[0, 1], named.unit) == pytest.approx((0.5e-6, 2e-6, "um"))
+        copy = pickle.loads(pickle.dumps(named))
+        assert copy.unit == "um" and np.array_equal(copy.heights, named.heights)
+    repeated = Surface(module.Topography(plain, (2.0, 1.5), unit="um", periodic=True))
+    assert repeated.is_periodic and repeated.to_surface_topography().is_periodic
+    assert not named.is_periodic and not named.to_surface_topography().is_periodic
+    for unit in ("V", "volt"):
+        with pytest.raises(stribeck.InputError, match="must be a unit of length"):
+            Surface(without, unit=unit)
+    with pytest.raises(stribeck.InputError, match="in metres"):
+        Surface(GAP, "1 um", unit="um")
+
+
 def test_a_format_without_a_reader_is_named(tmp_path: Path) -> None:
     path = tmp_path / "scan.vk4"
     path.write_bytes(b"VK4_\0\0\0")
@@ -129,6 +223,13 @@ def test_data_arrays_are_taken_and_given_back() -> None:
     with pytest.raises(stribeck.InputError, match="off a raster"):
         Surface(array.assign_coords(x=[0.0, 0.5, 1.2, 1.5]))
     np.testing.assert_array_equal(np.ma.getmaskarray(surface.to_masked()), np.isnan(GAP))
+    bare = xarray.DataArray(GAP, dims=("y", "x"), coords={"x": np.arange(4.0), "y": np.arange(3.0)})
+    with pytest.warns(stribeck.StribeckWarning, match="is not known"):
+        assert len(Surface(bare).warnings) == 2
+    assert Surface(bare, unit="um").dx == pytest.approx(1e-6)
+    assert Surface(bare.assign_attrs(unit="nm"), "1 um").unit == "nm"
+    with pytest.raises(stribeck.InputError, match=r"a Dataset \(h\)"):
+        Surface(xarray.Dataset({"h": bare}))
 
 
 #: Keys of each kind of roughness of a scene.
@@ -164,7 +265,25 @@ def test_exact_rq_has_an_effect(rough: stribeck.Scene) -> None:
     options = {"kind": "self_affine", "hurst": 0.8, "roll_off": 2e-4, "seed": 3}
     exact = generate(rough.grid, 2e-8, exact_rq=True, **options)
     free = generate(rough.grid, 2e-8, exact_rq=False, **options)
+    with pytest.raises(stribeck.InputError, match="exact_rq = True"):
+        generate(rough.grid, 2e-8, exact_rq=True, height="ensemble", **options)
     assert exact.std() == pytest.approx(2e-8) and abs(free.std() / 2e-8 - 1.0) > 1e-3
+
+
+def test_a_profile_is_drawn_with_its_spectrum() -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    import matplotlib.pyplot as plt
+
+    wave = 1e-7 * np.sin(2 * np.pi * np.arange(9600) / 96)
+    figure = Surface(wave[np.newaxis], 1e-6).plot()
+    assert figure.axes[0].get_aspect() == "auto"
+    spectrum = next(axes for axes in figure.axes if axes.get_xlabel() == "wavenumber, 1/m")
+    wavenumber, density = spectrum.lines[0].get_data()
+    # the mean square is the integral over pi
+    assert np.sum(density) * wavenumber[0] / np.pi == pytest.approx(0.5e-14, rel=1e-3)
+    assert wavenumber[np.argmax(density)] == pytest.approx(2 * np.pi / 96e-6)
+    plt.close(figure)
 
 
 def test_a_surface_is_drawn() -> None:

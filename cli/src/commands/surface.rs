@@ -51,8 +51,9 @@ enum Form {
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let mut measured = read(options)?;
     let mut warnings = measured.warnings().to_vec();
-    prepare(options, &mut measured)?;
-    let numbers = Numbers::of(&measured)?;
+    let named = |error: Box<dyn Error>| format!("{}: {error}", options.file.display());
+    prepare(options, &mut measured).map_err(named)?;
+    let numbers = Numbers::of(&measured).map_err(|error| named(error.into()))?;
     warnings.extend(dominant_form(&measured));
     for warning in &warnings {
         output::complain("warning", &format!("{}: {warning}", options.file.display()));

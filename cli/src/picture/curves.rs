@@ -39,7 +39,7 @@ where
     }
     let margin = MARGIN * (high - low);
     let y = low - margin..high + margin;
-    let y_number = tick(&y);
+    let (x_number, y_number) = (tick(&(0.0..nx as f64 * scale)), tick(&y));
     let mut chart = ChartBuilder::on(area)
         .caption(format!("Profile, row {row}"), text(TEXT_SIZE + 1))
         .margin(10)
@@ -49,6 +49,8 @@ where
     chart
         .configure_mesh()
         .x_desc(label)
+        .x_label_formatter(&|v| x_number(v))
+        .x_labels(7)
         .y_desc("height about the mean (µm)")
         .x_labels(6)
         .y_label_formatter(&|v| y_number(v))
@@ -56,9 +58,24 @@ where
         .label_style(text(TEXT_SIZE))
         .draw()?;
     for run in points.split(|point| point.1.is_nan()).filter(|run| !run.is_empty()) {
-        chart.draw_series(LineSeries::new(run.iter().copied(), &BLUE))?;
+        chart.draw_series(LineSeries::new(outline(run), &BLUE))?;
     }
     Ok(())
+}
+
+/// The lowest and the highest point of each of [`POINTS`] pieces of a long line, a short one as it is.
+fn outline(run: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    if run.len() <= 4 * POINTS {
+        return run.to_vec();
+    }
+    let pieces = run.chunks(run.len().div_ceil(POINTS));
+    let ends = pieces.flat_map(|piece| {
+        let of = |sign: f64| piece.iter().copied().min_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)));
+        let mut ends: Vec<(f64, f64)> = [of(1.0), of(-1.0)].into_iter().flatten().collect();
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        ends
+    });
+    ends.collect()
 }
 
 /// Density of the heights in classes.
@@ -73,7 +90,7 @@ where
     let density: Vec<f64> = histogram.density.iter().map(|density| density * 1e-6).collect();
     let (_, densest) = extremes(density.iter().copied());
     let x = low..low + width * CLASSES as f64;
-    let x_number = tick(&x);
+    let (x_number, y_number) = (tick(&x), tick(&(0.0..1.05 * densest)));
     let mut chart = ChartBuilder::on(area)
         .caption("Height distribution", text(TEXT_SIZE + 1))
         .margin(10)
@@ -86,6 +103,7 @@ where
         .x_labels(6)
         .y_desc("density (1/µm)")
         .x_label_formatter(&|v| x_number(v))
+        .y_label_formatter(&|v| y_number(v))
         .light_line_style(WHITE)
         .label_style(text(TEXT_SIZE))
         .draw()?;
@@ -108,13 +126,14 @@ where
         return note(area, "no bearing curve: flat");
     }
     let core = curve.core();
+    let number = tick(&(0.01 * bottom..0.01 * top));
     let mut chart = ChartBuilder::on(area)
         .caption(
             format!(
-                "Bearing curve, Sk {:.4} Spk {:.4} Svk {:.4} µm",
-                core.sk * 1e6,
-                core.spk * 1e6,
-                core.svk * 1e6
+                "Bearing curve, Sk {} Spk {} Svk {} µm",
+                number(&(core.sk * 1e6)),
+                number(&(core.spk * 1e6)),
+                number(&(core.svk * 1e6))
             ),
             text(TEXT_SIZE + 1),
         )

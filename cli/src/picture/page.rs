@@ -100,12 +100,16 @@ where
     draw_map(
         area,
         &Map {
+<<<<<<< HEAD
             title: format!(
                 "Height, colours {} to {} µm{}",
                 digits(&(colours.0 * 1e6)),
                 digits(&(colours.1 * 1e6)),
                 if surface.undefined() > 0 { ", grey: undefined" } else { "" }
             ),
+=======
+            title: height_title([low, high, colours.0, colours.1].map(|z| z * 1e6), surface.undefined() > 0),
+>>>>>>> 501e0b4 (Pictures of profiles with their spectrum, docs of the reading of surfaces, tests of units and channels)
             x_label,
             y_label,
             x: 0.0..width,
@@ -117,6 +121,14 @@ where
         },
         colours,
     )
+}
+
+/// Lowest and highest height and those of the first and the last colour, with the digits that tell them apart.
+fn height_title([low, high, first, last]: [f64; 4], has_undefined: bool) -> String {
+    let number = tick(&(low..high));
+    let [low, high, first, last] = [low, high, first, last].map(|z| number(&z));
+    let undefined = if has_undefined { ", undefined grey" } else { "" };
+    format!("Height {low} to {high} µm, colours {first} to {last}{undefined}")
 }
 
 fn draw_correlation<B: DrawingBackend>(area: &DrawingArea<B, Shift>, numbers: &Numbers) -> Drawn
@@ -210,16 +222,7 @@ where
     B::ErrorType: 'static,
 {
     let Some(grid) = &numbers.grid else { return note(area, "no spectrum: without spacing") };
-    let Some((along_x, along_y, radial)) = spectra(surface, grid) else {
-        return note(area, "no spectrum: too few points");
-    };
-    // profiles in nm^3; the ring average times the wavenumber over pi has the same unit
-    let radial = positive_points(&radial, |q, c| q * c / std::f64::consts::PI * CUBIC_NANOMETRES);
-    let lines = [
-        ("profiles along x", BLUE, positive_points(&along_x, |_, c| c * CUBIC_NANOMETRES)),
-        ("profiles along y", VERMILION, positive_points(&along_y, |_, c| c * CUBIC_NANOMETRES)),
-        ("q/pi times radial mean", GREEN, radial),
-    ];
+    let Some(lines) = spectra(surface, grid) else { return note(area, "no spectrum: too few points") };
     let all = || lines.iter().flat_map(|(_, _, points)| points);
     let (q_low, q_high) = extremes(all().map(|point| point.0));
     let (c_low, c_high) = extremes(all().map(|point| point.1));
@@ -235,13 +238,14 @@ where
             (q_low..q_high).log_scale(),
             (c_low.max(c_high * 1e-12)..c_high * 1.5).log_scale(),
         )?;
-    let power = |value: &f64| format!("{value:.0e}");
+    let q_decades = powers(q_low, q_high);
+    let c_decades = powers(c_low.max(c_high * 1e-12), c_high);
     chart
         .configure_mesh()
         .x_desc("wavenumber (1/m)")
         .y_desc("density (nm^3)")
-        .x_label_formatter(&power)
-        .y_label_formatter(&power)
+        .x_label_formatter(&q_decades)
+        .y_label_formatter(&c_decades)
         .light_line_style(WHITE)
         .label_style(text(TEXT_SIZE))
         .draw()?;
@@ -260,16 +264,38 @@ where
     Ok(())
 }
 
-/// Spectra of the surface with its holes filled.
-fn spectra(surface: &Heights, grid: &Grid) -> Option<(Spectrum, Spectrum, Spectrum)> {
+/// Labels of a logarithmic axis: of two decades and more the powers of ten alone.
+fn powers(low: f64, high: f64) -> impl Fn(&f64) -> String {
+    let is_long = high >= 100.0 * low;
+    move |value| {
+        let exponent = value.log10();
+        let is_power = (exponent - exponent.round()).abs() < 1e-6;
+        if is_power || !is_long { format!("{value:.0e}") } else { String::new() }
+    }
+}
+
+/// A line of a spectrum: name, colour and points.
+type SpectrumLine = (&'static str, RGBColor, Vec<(f64, f64)>);
+
+/// Spectra of the surface with its holes filled, in nm^3; a line of points has one along it. `None` without any.
+fn spectra(surface: &Heights, grid: &Grid) -> Option<Vec<SpectrumLine>> {
     let mut filled = surface.clone();
     filled.fill_undefined().ok()?;
     let heights = filled.heights();
-    Some((
-        profile_spectrum(grid, heights, Axis::X, Boundary::Open).ok()?,
-        profile_spectrum(grid, heights, Axis::Y, Boundary::Open).ok()?,
-        radial_spectrum(grid, heights, Boundary::Open).ok()?,
-    ))
+    let plain = |_: f64, c: f64| c * CUBIC_NANOMETRES;
+    // times the wavenumber over pi the ring average has the unit of the others
+    let ring = |q: f64, c: f64| q * c / std::f64::consts::PI * CUBIC_NANOMETRES;
+    let along_x = profile_spectrum(grid, heights, Axis::X, Boundary::Open).ok();
+    let along_y = profile_spectrum(grid, heights, Axis::Y, Boundary::Open).ok();
+    let radial =
+        radial_spectrum(grid, heights, Boundary::Open).ok().filter(|_| grid.nx() > 1 && grid.ny() > 1);
+    let lines = [
+        along_x.map(|found| ("profiles along x", BLUE, positive_points(&found, plain))),
+        along_y.map(|found| ("profiles along y", VERMILION, positive_points(&found, plain))),
+        radial.map(|found| ("q/pi times radial mean", GREEN, positive_points(&found, ring))),
+    ];
+    let lines: Vec<SpectrumLine> = lines.into_iter().flatten().collect();
+    (!lines.is_empty()).then_some(lines)
 }
 
 fn positive_points(spectrum: &Spectrum, density: impl Fn(f64, f64) -> f64) -> Vec<(f64, f64)> {
