@@ -93,7 +93,7 @@ fn a_long_profile_has_a_spectrum_and_a_developed_length() {
     assert_eq!((report["nx"].as_u64(), report["undefined"].as_u64()), (Some(9600), Some(0)), "{report}");
     assert!(report["sdr"].as_f64().unwrap() > 0.0, "{report}");
     assert!(report["warnings"][0].as_str().unwrap().contains("9600 equidistant ones"), "{report}");
-    assert_pictures(&out, "trace_surface", &["profiles along x", "Height 76320.50 to 76321.50"]);
+    assert_pictures(&out, "trace_surface", &["profiles along x", "Height, colours 76320.5"]);
     let svg = std::fs::read_to_string(out.join("trace_surface.svg")).unwrap();
     assert!(!svg.contains("no spectrum") && !svg.contains("profiles along y"));
     assert_refused(&["surface", text(&path), "--channel", "2"], &["trace.csv: one surface alone"]);

@@ -37,7 +37,7 @@ _UNITS = {
 }
 _ASCII = {"\u00b5": "u", "\u03bc": "u", "\u00c5": "A", "\u212b": "A", "inch": "in"}
 #: Words in the names of channels that hold no heights, though their unit may be a length.
-_NO_HEIGHTS = ("phase", "amplitude", "deflection", "friction", "lateral", "current", "error")
+_NO_HEIGHTS = ("phase", "amplitude", "deflection", "friction", "lateral", "current", "potential", "error")
 #: Readers of SurfaceTopography for text, which take more for heights than is.
 _TEXT_READERS = ("asc", "xyz")
 

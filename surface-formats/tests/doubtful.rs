@@ -235,6 +235,7 @@ fn a_file_of_one_surface_has_no_second_one() {
         }
         assert!(Options::new().with_channel(1).read_bytes(content.as_bytes(), "a.csv").is_ok());
     }
+    refused("name: a\nlist:\n  - 1\n  - 2\n  - 3\n", "two columns, the first of which holds no number");
     refused("5\n", "a single height is no surface");
 }
 

@@ -100,16 +100,12 @@ where
     draw_map(
         area,
         &Map {
-<<<<<<< HEAD
             title: format!(
                 "Height, colours {} to {} µm{}",
                 digits(&(colours.0 * 1e6)),
                 digits(&(colours.1 * 1e6)),
                 if surface.undefined() > 0 { ", grey: undefined" } else { "" }
             ),
-=======
-            title: height_title([low, high, colours.0, colours.1].map(|z| z * 1e6), surface.undefined() > 0),
->>>>>>> 501e0b4 (Pictures of profiles with their spectrum, docs of the reading of surfaces, tests of units and channels)
             x_label,
             y_label,
             x: 0.0..width,
@@ -121,14 +117,6 @@ where
         },
         colours,
     )
-}
-
-/// Lowest and highest height and those of the first and the last colour, with the digits that tell them apart.
-fn height_title([low, high, first, last]: [f64; 4], has_undefined: bool) -> String {
-    let number = tick(&(low..high));
-    let [low, high, first, last] = [low, high, first, last].map(|z| number(&z));
-    let undefined = if has_undefined { ", undefined grey" } else { "" };
-    format!("Height {low} to {high} µm, colours {first} to {last}{undefined}")
 }
 
 fn draw_correlation<B: DrawingBackend>(area: &DrawingArea<B, Shift>, numbers: &Numbers) -> Drawn

@@ -156,6 +156,10 @@ impl Content<'_> {
     /// Two columns without titles: positions and heights, or a matrix.
     fn two_columns(mut self) -> Result<Surface, Error> {
         let x = self.table.column(0);
+        if x.iter().all(|position| position.is_nan()) {
+            let what = "two columns, the first of which holds no number".to_owned();
+            return Err(self.source.unsupported(what));
+        }
         let rises = x.windows(2).all(|pair| pair[0] < pair[1]) || x.windows(2).all(|pair| pair[0] > pair[1]);
         if rises && self.table.rows >= FEWEST_ROWS {
             self.warnings.push("two columns without titles are read as positions and heights".to_owned());
