@@ -101,7 +101,8 @@ impl Content<'_> {
         }
         let (columns, rows) = (self.table.columns, self.table.rows);
         // whole rows to a line or whole lines to a row, in the order of the header
-        let is_wrapped = columns == 1 || rows == 1 || columns % nx == 0 || nx % columns == 0;
+        let is_wrapped =
+            columns == 1 || rows == 1 || columns.is_multiple_of(nx) || nx.is_multiple_of(columns);
         let is_turned = [columns, rows] == [ny, nx] && nx != ny && columns > 1 && rows > 1;
         if self.table.ragged.is_none() && (!is_wrapped || is_turned) {
             return Err(self.source.corrupt(format!(
