@@ -97,8 +97,8 @@ fn a_long_profile_has_a_spectrum_and_a_developed_length() {
     let svg = std::fs::read_to_string(out.join("trace_surface.svg")).unwrap();
     assert!(!svg.contains("no spectrum") && !svg.contains("profiles along y"));
     assert_refused(&["surface", text(&path), "--channel", "2"], &["trace.csv: one surface alone"]);
-    std::fs::write(&path, "nan nan\nnan nan\n").unwrap();
-    assert_refused(&["surface", text(&path)], &["trace.csv: all 4 points", "undefined"]);
+    std::fs::write(&path, "nan nan nan\nnan nan nan\n").unwrap();
+    assert_refused(&["surface", text(&path)], &["trace.csv: all 6 points", "undefined"]);
     let picture = folder.path().join("a.png");
     std::fs::write(&picture, b"\x89PNG\r\n\x1a\n").unwrap();
     let refused = error_of(&stribeck(&["surface", text(&picture)]));

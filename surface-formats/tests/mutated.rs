@@ -187,6 +187,18 @@ fn mutated_plu_files_do_not_panic() {
 #[test]
 fn mutated_text_files_do_not_panic() {
     survives_file("cut.txt", 7);
+    let rounded: String = (0..12)
+        .map(|k| format!("{:.1},{:.1},{k}\n", 0.16 * f64::from(k % 4), 0.16 * f64::from(k / 4)))
+        .collect();
+    let texts = [
+        format!("unit: nm\nWeg (um),H\u{f6}he [um],z1 (nm)\n{rounded}"),
+        "# x-pixels = 3\n# x-length = 3\n# x-unit = um\n1 2 3\n4 5 6\n\n7 8 9\n1 2 3\n".to_owned(),
+        "0 0.0 0.5 1.0\n0.0 1 2\u{a0}100 3\n0.5 4 5 6\n1.0 7 8 9\n".to_owned(),
+        "10.0\n9\n1\n2\n3\n4\n5\n6\n7\n8\n9\n".to_owned(),
+    ];
+    for (seed, text) in (31..).zip(texts) {
+        survives(text.as_bytes(), seed, |bytes| bytes);
+    }
 }
 
 /// Lines of x, y and height of 4 x 3 points with `separator` between them.
