@@ -100,6 +100,9 @@ fn a_unit_in_a_title_makes_a_column_whatever_the_word() {
     );
     assert_eq!((encoder.nx, encoder.ny, encoder.heights[1]), (3, 1, 2.25e-6));
     assert_eq!(encoder.warnings, ["columns \"Encoder1\", \"Altitude\" are read as positions and heights"]);
+    let units = read("um,nm\n0.0,1\n0.5,2\n1.0,4\n");
+    assert_eq!((units.nx, units.spacing.unwrap()[0], nanometres(&units)), (3, 0.5e-6, vec![1, 2, 4]));
+    assert_eq!(nanometres(&read("Height Sensor (nm)\n1\n2\n4\n")), [1, 2, 4]);
     let map = read("foo (um),bar (um),baz (nm)\n0,0,1\n1,0,2\n0,1,4\n1,1,8\n");
     assert_eq!((map.nx, map.ny, map.heights[3]), (2, 2, 8e-9));
     let left = read("x (um),z (um),intensity\n0,1,200\n1,2,201\n2,1,202\n");

@@ -47,7 +47,7 @@ impl Columns {
             if let Some(row) = positions.iter().position(|position| position.is_nan()) {
                 return Err(format!("row {}: {name} is not a number", row + 1));
             }
-            let digits = table.decimals.get(place).copied().unwrap_or_default();
+            let digits = table.printed_decimals(place);
             Axis::of(&positions, digits).map_err(|off| {
                 format!(
                     "{name} positions are off a raster of spacing {:.4e} by up to {:.4e} ({:.0} %)",

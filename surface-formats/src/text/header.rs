@@ -7,6 +7,7 @@ use super::keys::{Key, meaning};
 use super::number::is_undefined;
 use super::pairs::{pairs, plain_key, quantity, split_unit};
 use super::style::{Line, unquoted};
+use super::titles::{Column, column};
 use crate::error::Error;
 use crate::source::{Source, shortened, without_unit};
 use crate::unit::LengthUnit;
@@ -108,7 +109,7 @@ impl Header {
         let found = pairs(line);
         if found.is_empty() {
             let (title, unit) = split_unit(line);
-            let is_height = matches!(title.to_lowercase().as_str(), "z" | "height" | "heights");
+            let is_height = column(title) == Column::Z;
             if is_height && !unit.is_empty() {
                 return self.set_height_unit(source, title, unit);
             }

@@ -178,3 +178,11 @@ pub(super) fn decimals(field: &str) -> i32 {
     let after = field[..end].rfind(['.', ',']).map_or(0, |mark| end - mark - 1);
     (after as i32).saturating_sub(exponent)
 }
+
+/// Digits of a number without its exponent and the zeros in front.
+pub(super) fn significant_digits(field: &str) -> usize {
+    let field = field.trim();
+    let end = field.find(['e', 'E', 'd', 'D']).unwrap_or(field.len());
+    let digits = field[..end].chars().filter(char::is_ascii_digit);
+    digits.skip_while(|digit| *digit == '0').count()
+}

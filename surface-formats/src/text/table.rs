@@ -1,6 +1,8 @@
 //! The numbers of a block of rows.
 
-use super::number::decimals;
+use std::cmp::Ordering;
+
+use super::number::{decimals, significant_digits};
 use super::style::{Line, Separator, Style};
 use crate::error::Error;
 use crate::source::{Source, shortened};
@@ -18,6 +20,8 @@ pub(super) struct Table {
     pub(super) ragged: Option<(usize, usize)>,
     /// Most digits after the decimal mark in each column of the first row's length.
     pub(super) decimals: Vec<i32>,
+    /// Most significant digits in each column, and the fewest digits after the decimal mark of numbers that have them.
+    precision: Vec<(usize, i32)>,
     /// Whether the first field of the first row is empty.
     pub(super) has_empty_corner: bool,
 }
@@ -36,6 +40,7 @@ impl Table {
             rows: 0,
             ragged: None,
             decimals: Vec::new(),
+            precision: Vec::new(),
             has_empty_corner: false,
         };
         let skipped = usize::from(is_labelled);
@@ -84,9 +89,20 @@ impl Table {
             self.values.push(height);
             if self.rows == 0 {
                 self.decimals.push(0);
+                self.precision.push((0, 0));
             }
-            if let Some(most) = self.decimals.get_mut(column - skipped).filter(|_| !height.is_nan()) {
-                *most = (*most).max(decimals(field));
+            let place = column - skipped;
+            if let (Some(most), Some(precision)) =
+                (self.decimals.get_mut(place), self.precision.get_mut(place))
+                && !height.is_nan()
+            {
+                let (digits, after) = (significant_digits(field), decimals(field));
+                *most = (*most).max(after);
+                match digits.cmp(&precision.0) {
+                    Ordering::Greater => *precision = (digits, after),
+                    Ordering::Equal => precision.1 = precision.1.min(after),
+                    Ordering::Less => {}
+                }
             }
         }
         let mut count = self.values.len() - before;
@@ -103,6 +119,12 @@ impl Table {
         }
         self.rows += 1;
         Ok(())
+    }
+
+    /// Digits after the decimal mark to which the numbers of a column are printed: those of the longest, which in a format
+    /// of significant digits are fewer for larger numbers.
+    pub(super) fn printed_decimals(&self, place: usize) -> i32 {
+        self.precision.get(place).map_or(0, |(_, after)| *after)
     }
 
     /// The numbers of a column.

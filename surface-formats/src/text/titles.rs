@@ -58,7 +58,7 @@ impl Title {
 }
 
 /// The content that the name of a column tells; numbers at its end count columns of one kind.
-fn column(name: &str) -> Column {
+pub(super) fn column(name: &str) -> Column {
     let name = name.to_lowercase().replace(['_', '-'], " ");
     let name = name.trim_matches(['"', ' ', '#', '.', ':']);
     let name = Some(name.trim_end_matches(|letter: char| letter.is_ascii_digit() || letter == ' '))
@@ -118,14 +118,18 @@ impl Titles {
                 .iter()
                 .all(|field| unit_alone(field).is_some() || is_bracketed(field) || field.is_empty())
         {
-            let above = lines.split_last()?.1.last().and_then(|(_, line)| fields(line, style, columns));
-            let above = above.filter(|above| are_words(above))?;
+            let above = lines.split_last()?.1.last().filter(|(_, line)| !is_pair(line));
+            let above = above.and_then(|(_, line)| fields(line, style, columns));
+            let above = above.filter(|above| are_words(above));
+            let count = 1 + usize::from(above.is_some());
+            // units alone stand for titles, too
+            let above = above.or_else(|| units.iter().all(Option::is_some).then(|| found.clone()))?;
             let mut titles: Vec<Title> = above.iter().map(|field| Title::parse(field)).collect();
             for ((title, unit), field) in titles.iter_mut().zip(units).zip(&found) {
                 title.unit = title.unit.or(unit);
                 title.is_foreign |= title.unit.is_none() && !field.is_empty();
             }
-            return Some((Self(titles), 2));
+            return Some((Self(titles), count));
         }
         let titles: Vec<Title> = found.iter().map(|field| Title::parse(field)).collect();
         (are_words(&found) && (are_understood(&titles) || are_titles(last, &found, style)))
