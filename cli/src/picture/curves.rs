@@ -95,7 +95,7 @@ where
         .caption("Height distribution", text(TEXT_SIZE + 1))
         .margin(10)
         .x_label_area_size(38)
-        .y_label_area_size(70)
+        .y_label_area_size(84)
         .build_cartesian_2d(x, 0.0..1.05 * densest)?;
     chart
         .configure_mesh()
