@@ -226,13 +226,12 @@ where
             (q_low..q_high).log_scale(),
             (c_low.max(c_high * 1e-12)..c_high * 1.5).log_scale(),
         )?;
-    let q_decades = powers(q_low, q_high);
     let c_decades = powers(c_low.max(c_high * 1e-12), c_high);
     chart
         .configure_mesh()
         .x_desc("wavenumber (1/m)")
         .y_desc("density (nm^3)")
-        .x_label_formatter(&q_decades)
+        .x_label_formatter(&powers(q_low, q_high))
         .y_label_formatter(&c_decades)
         .light_line_style(WHITE)
         .label_style(text(TEXT_SIZE))
