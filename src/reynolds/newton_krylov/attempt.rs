@@ -10,9 +10,8 @@ use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
 impl Workspace {
-    /// Solves from the given state if that is a warm start, else from the dry contact, soft bodies from
-    /// coarser grids; where that stalls, by
-    /// continuation in the contact film. Leaves the best state.
+    /// Solves from the given state if that is a warm start, else from the dry contact, soft bodies from coarser grids;
+    /// where that stalls, by continuation in the contact film. Leaves the best state.
     pub(super) fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,

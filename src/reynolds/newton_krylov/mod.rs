@@ -12,8 +12,8 @@
 //! 5. evaluate films, by one convolution, flow and residuals; halve the step where the residual grows too much;
 //! 6. adapt the step bound to the linearization error.
 //!
-//! [`attempt`] starts the loop from the given state or the dry contact, [`soft_start`] from coarser grids, [`continuation`] follows solutions with
-//! thicker contact films where it stalls.
+//! [`attempt`] starts the loop from the given state or the dry contact, [`soft_start`] from coarser grids,
+//! [`continuation`] follows solutions with thicker contact films where it stalls.
 //!
 //! Vectors of films, and when they are valid:
 //!
@@ -83,8 +83,9 @@ use crate::solver_id::SolverId;
 ///
 /// A state without pressure, or with a residual above [`NewtonSettings::warm_start_threshold`], is replaced by the
 /// dry contact, which is close to the answer in mixed lubrication: the asperities already carry their load and the
-/// fluid fills the gaps. Smooth full films of soft bodies are solved on coarser grids first. The first steps from there are steps in pseudo-time. A contact that stalls is solved with
-/// thicker contact films, and that solution followed to its own.
+/// fluid fills the gaps. Smooth full films of soft bodies are solved on coarser grids first. The first steps from there
+/// are steps in pseudo-time. A contact that stalls is solved with thicker contact films, and that solution followed to
+/// its own.
 #[derive(Debug)]
 pub struct NewtonKrylov {
     fluid_block: fn(&Grid) -> Box<dyn FluidBlock>,
