@@ -8,6 +8,7 @@ use crate::grid::Grid;
 use crate::reynolds::FilmThickness;
 use crate::sim::error::SimError;
 use crate::sim::scene::PadRelief;
+#[cfg(feature = "formats")]
 use crate::surface;
 
 /// Part of a pitch by which the pad may be shorter than its dimples.
@@ -104,6 +105,7 @@ impl Dimples {
 }
 
 /// Heights of a file on the nodes of `grid` \[m\].
+#[cfg(feature = "formats")]
 fn heights(path: &Path, spacing: Option<f64>, grid: Grid) -> Result<Vec<f64>, SimError> {
     let refused =
         |reason: String| SimError::from(conflict("heights", format!("{}: {reason}", path.display())));
@@ -124,6 +126,11 @@ fn heights(path: &Path, spacing: Option<f64>, grid: Grid) -> Result<Vec<f64>, Si
         (None, Some(_)) => {}
     }
     heights.resample(&grid).map_err(|error| refused(error.to_string()))
+}
+
+#[cfg(not(feature = "formats"))]
+fn heights(_path: &Path, _spacing: Option<f64>, _grid: Grid) -> Result<Vec<f64>, SimError> {
+    Err(conflict("heights", "surface files need the feature `formats`".to_owned()).into())
 }
 
 /// An error of the key `given_film.key`.
