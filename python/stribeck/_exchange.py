@@ -38,8 +38,8 @@ _UNITS = {
 _ASCII = {"\u00b5": "u", "\u03bc": "u", "\u00c5": "A", "\u212b": "A", "inch": "in"}
 #: Words in the names of channels that hold no heights, though their unit may be a length.
 _NO_HEIGHTS = ("phase", "amplitude", "deflection", "friction", "lateral", "current", "potential", "error")
-#: Readers of SurfaceTopography for text, which take more for heights than is.
-_TEXT_READERS = ("asc", "xyz")
+#: Readers of SurfaceTopography that take more for heights than is: of text, and of files without a signature.
+_LOOSE_READERS = ("asc", "xyz", "hgt")
 
 
 @dataclass(frozen=True)
@@ -228,7 +228,7 @@ def _read(place: str, channel: int | None, unit: str | None, refused: SurfaceErr
         raise refused from None
     except Exception as error:
         raise SurfaceError(f"{refused}; SurfaceTopography: {error}", field="path", value=place) from error
-    if reader.format() in _TEXT_READERS:
+    if reader.format() in _LOOSE_READERS:
         raise refused
     number = _choose(place, channel, reader.channels) - 1
     # sizes that the file does not give are stood in for by the number of points
