@@ -135,7 +135,7 @@ fn groove_grid(load: f64, [diameter, pitch]: [f64; 2], conformity: f64) -> Resul
     let across = reduced(0.5 * diameter, -conformity * diameter);
     let hertz = HertzPoint::from_load(along, across, steel(), load)?;
     let [inlet, outlet] = [3.5, 1.7].map(|reach| plain(1e6 * rounded(reach * hertz.half_width_x)));
-    let side = plain(1e6 * rounded(1.4 * hertz.half_width_y));
+    let side = plain(1e6 * rounded(1.6 * hertz.half_width_y));
     Ok(format!(
         "nx = 96\nny = 80\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\ny = [\"-{side} um\", \"{side} um\"]\n\n\
          [solver]\nestimate = true # errors of the mesh\n"
