@@ -128,7 +128,7 @@ fn outcome(arguments: impl IntoIterator<Item = OsString>) -> Outcome {
     }
 }
 
-/// What is wrong with the command line, without usage; of a value that an option refuses what the option says.
+/// The fault of the command line, without usage; of a value that an option refuses, the reason of the option.
 fn short(error: &str) -> String {
     let parts = error.split("\n\n").map(str::trim);
     let told = parts.filter(|part| !part.starts_with("Usage:") && !part.starts_with("For more information"));

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._numbers import xarray
 from .errors import InputError, StribeckWarning, SurfaceError
 
 if TYPE_CHECKING:
@@ -179,13 +180,12 @@ def _step(name: str, positions: np.ndarray[Any, Any]) -> tuple[float, bool]:
 
 def to_xarray(surface: Surface) -> Any:
     """A DataArray with the dimensions y and x, all lengths in metres."""
-    import xarray
-
+    xr = xarray()
     dx, dy = _known_spacing(surface)
     ny, nx = surface.shape
     metre = {"units": "m"}
     coords = {"y": ("y", dy * np.arange(ny), metre), "x": ("x", dx * np.arange(nx), metre)}
-    return xarray.DataArray(surface.heights, coords=coords, dims=("y", "x"), name="height", attrs=metre)
+    return xr.DataArray(surface.heights, coords=coords, dims=("y", "x"), name="height", attrs=metre)
 
 
 def to_surface_topography(surface: Surface) -> Any:

@@ -22,7 +22,7 @@ _PLAIN = bool | int | float | complex | str | bytes | type(None) | type(...) | n
 _LONGEST = 80
 #: Objects within each other that are described.
 _DEPTH = 12
-#: Special methods that no number depends on.
+#: Special methods without effect on the numbers of a law.
 _UNUSED = {"__init__", "__new__", "__post_init__", "__repr__", "__str__", "__eq__", "__hash__", "__reduce__", "__getstate__", "__setstate__", "__replace__", "__setattr__", "__delattr__"}
 #: Modules whose objects change as they are used: generators of random numbers.
 _MEMORY = ("random", "numpy.random")

@@ -9,6 +9,17 @@ use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
+/// Where an attempt starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Start {
+    /// The given state, if that is a warm start.
+    Given,
+    /// The dry contact.
+    Dry,
+    /// As soft bodies do.
+    Soft,
+}
+
 impl Workspace {
     /// Solves from the given state if that is a warm start, else from the dry contact, soft bodies from coarser grids;
     /// where that stalls, by continuation in the contact film. Leaves the best state.
@@ -20,11 +31,12 @@ impl Workspace {
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.newton.record.clear();
         let is_cold = state.pressure.iter().all(|&p| p <= 0.0);
-        let mut status = if is_cold && is_soft(problem) {
-            self.soft_attempt(problem, state, stop)?
-        } else {
-            self.attempt(!is_cold, problem, state, stop)?
+        let start = match is_cold {
+            false => Start::Given,
+            true if is_soft(problem) => Start::Soft,
+            true => Start::Dry,
         };
+        let mut status = self.attempt(start, problem, state, stop)?;
         if is_recoverable(status) && problem.box_load().is_some() && self.may_continue(problem, state) {
             status = self.continue_in_contact_film(problem, state, stop)?;
         }
@@ -49,23 +61,26 @@ impl Workspace {
         Ok((status, best))
     }
 
-    /// Newton's method from the given state if `may_be_warm` and its residual is low enough, or the approach is held,
+    /// Newton's method from `start`: from the given state only if its residual is low enough, or the approach is held,
     /// else by homotopy from the dry contact, which then is mostly the better start.
     pub(super) fn attempt(
         &mut self,
-        may_be_warm: bool,
+        start: Start,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
         let mut globalization = Globalization::new(problem, &self.settings);
-        // A warm start, or the dry contact with a thick contact film.
+        // A warm start, the solution on a coarser grid, or the dry contact with a thick contact film.
         let holds_approach = problem.box_load().is_none();
-        if may_be_warm && (self.is_warm_start(problem, state)? || holds_approach) {
+        if start == Start::Given && (self.is_warm_start(problem, state)? || holds_approach) {
             globalization.for_warm_start();
         } else {
-            globalization.start_homotopy(problem);
-            self.start_dry(problem, state)?;
+            let is_soft = start == Start::Soft;
+            if !is_soft || !self.start_soft(problem, state, stop, &mut globalization)? {
+                globalization.start_homotopy(problem);
+                self.start_dry(problem, state)?;
+            }
             self.newton.evaluate(problem, state)?;
         }
         // Iterate, and give the problem its own equations back.
@@ -104,7 +119,7 @@ impl Workspace {
 
     /// The dry contact under the film cut-off of the problem, to a gap error over the cells in a half-width: the
     /// same error of films is a larger one of the pressures of single nodes on finer meshes.
-    pub(super) fn start_dry(
+    fn start_dry(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,

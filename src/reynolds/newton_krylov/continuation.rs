@@ -1,7 +1,7 @@
 //! Continuation in the contact film: where the attempt stalls, contacts with thicker ones are solved first.
 
 use super::Workspace;
-use super::attempt::is_recoverable;
+use super::attempt::{Start, is_recoverable};
 use super::globalization::Globalization;
 use crate::report::{Residuals, Status};
 use crate::reynolds::problem::LubricatedContact;
@@ -51,7 +51,7 @@ impl Workspace {
             let ratio = DOUBLED.powi(doubling);
             problem.film_cutoff = ratio * film_cutoff;
             self.newton.record.best.residuals = Residuals::UNKNOWN;
-            let status = self.attempt(false, problem, state, stop)?;
+            let status = self.attempt(Start::Dry, problem, state, stop)?;
             if status == Status::Converged {
                 problem.film_cutoff = film_cutoff;
                 return self.lower_contact_film(problem, state, stop, ratio);

@@ -40,15 +40,15 @@ pub(super) fn is_soft(problem: &LubricatedContact<'_>) -> bool {
 }
 
 impl Workspace {
-    /// Solves a soft contact: on few nodes from the dry contact, otherwise from the solution on half of the cells along
-    /// each side.
-    pub(super) fn soft_attempt(
+    /// The solution on half of the cells along each side, and its pseudo-transient term; false on few nodes, and if that
+    /// did not converge: the term is then that from the dry contact.
+    pub(super) fn start_soft(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-    ) -> Result<Status, ReynoldsError> {
-        let mut globalization = Globalization::new(problem, &self.settings);
+        globalization: &mut Globalization,
+    ) -> Result<bool, ReynoldsError> {
         let grid = problem.grid();
         let is_fine = grid.len() > FEW_NODES && grid.ny() > 1 && !grid.is_strip();
         let coarse = if is_fine { coarser(&grid) } else { None };
@@ -57,17 +57,8 @@ impl Workspace {
             Some(mut body) => self.start_coarse(problem, &mut *body, state, stop)?,
             None => false,
         };
-        if is_started {
-            globalization.set_pseudo_transient(FROM_COARSE);
-        } else {
-            globalization.set_pseudo_transient(FROM_DRY);
-            globalization.start_homotopy(problem);
-            self.start_dry(problem, state)?;
-        }
-        self.newton.evaluate(problem, state)?;
-        let status = self.iterate(problem, state, stop, &mut globalization)?;
-        globalization.finish_homotopy(problem);
-        Ok(status)
+        globalization.set_pseudo_transient(if is_started { FROM_COARSE } else { FROM_DRY });
+        Ok(is_started)
     }
 
     /// The solution on the grid of `body`, interpolated; counts its convolutions. False if it did not converge.
