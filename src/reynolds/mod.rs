@@ -31,7 +31,9 @@ mod multigrid;
 mod newton_krylov;
 mod problem;
 mod semi_system;
+mod squeeze;
 mod state;
+mod validation;
 
 use std::fmt::Debug;
 
@@ -47,11 +49,13 @@ pub use given_film::{Feed, FilmThickness, GivenFilm, GivenFilmSolution, SideEdge
 pub use journal::{Grooves, JournalBearing, JournalSolution};
 pub use multigrid::Multigrid;
 pub use newton_krylov::{NewtonKrylov, NewtonSettings};
-pub use problem::{ContactDefinition, EdgePressure, LubricatedContact, Squeeze};
-pub(crate) use problem::{LEAST_SPEED, SPEED_REQUIREMENT, outermost, require_speed};
+pub(crate) use problem::outermost;
+pub use problem::{ContactDefinition, LubricatedContact};
 pub use semi_system::SemiSystem;
+pub use squeeze::{EdgePressure, Squeeze};
 pub use state::ContactState;
 use thiserror::Error;
+pub(crate) use validation::{LEAST_SPEED, SPEED_REQUIREMENT, require_speed};
 
 use crate::error::InputError;
 use crate::report::SolveReport;

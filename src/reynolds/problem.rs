@@ -1,9 +1,8 @@
 //! The coupled contact problem.
 
-use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning, require_spin};
-use super::inner_nodes::interior;
+use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning};
+use super::squeeze::{EdgePressure, Squeeze};
 use crate::elastic::DeformationModel;
-use crate::error::{InputError, format_number};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
@@ -36,93 +35,6 @@ pub enum ContactDefinition {
     /// everywhere, the solution is that of `Hard`.
     #[cfg_attr(feature = "serde", serde(rename = "paper"))]
     UnifiedReynolds,
-}
-
-/// Previous state for the squeeze term `d(rho h)/dt`.
-///
-/// # Examples
-///
-/// ```
-/// use stribeck::reynolds::Squeeze;
-/// let mass = [100e-9; 4];
-/// let squeeze = Squeeze { previous_mass: &mass, time_step: 1e-4 };
-/// // A film that decreases by a nanometre loses 10 um/s.
-/// let rate = (99e-9 - squeeze.previous_mass[0]) / squeeze.time_step;
-/// assert!((rate + 1e-5).abs() < 1e-12);
-/// ```
-#[derive(Debug, Clone, Copy)]
-pub struct Squeeze<'a> {
-    /// `rho/rho_0 * h` at the previous time per node \[m\], from its solve.
-    pub previous_mass: &'a [f64],
-    /// Time between the two \[s\].
-    pub time_step: f64,
-}
-
-impl<'a> Squeeze<'a> {
-    /// Second-order backward difference from the masses of the `last` two times, newest first. `time_steps` \[s\] are
-    /// the time since the newest, and from the oldest to the newest. With `r` their ratio it is
-    /// `((1 + 2 r)/(1 + r) m - (1 + r) m_1 + r^2/(1 + r) m_2) / dt`; for equal steps
-    /// `(3 m - 4 m_1 + m_2) / (2 dt)`. It is evaluated as a first-order difference over a shorter step from a
-    /// combination of `m_1` and `m_2`, which is written to `combined`. A first-order difference would damp a wave that
-    /// travels through a contact even at twenty steps per period. The scheme is unstable if each step is more than 2.4
-    /// times the previous one. In a cell that empties so fast that the combination is negative, it is `m_1`.
-    ///
-    /// # Errors
-    /// Slices of different lengths, a time step that is not positive.
-    ///
-    /// ```
-    /// use stribeck::reynolds::Squeeze;
-    /// // A mass quadratic in time: 1, 4, then 9.
-    /// let mut combined = [0.0];
-    /// let squeeze = Squeeze::second_order([&[4.0], &[1.0]], [1.0, 1.0], &mut combined)?;
-    /// let rate = (9.0 - squeeze.previous_mass[0]) / squeeze.time_step;
-    /// assert!((rate - 6.0_f64).abs() < 1e-12);
-    /// // The same at the times 1, 2, then 4.
-    /// let squeeze = Squeeze::second_order([&[4.0], &[1.0]], [2.0, 1.0], &mut combined)?;
-    /// let rate = (16.0 - squeeze.previous_mass[0]) / squeeze.time_step;
-    /// assert!((rate - 8.0_f64).abs() < 1e-12);
-    /// # Ok::<(), stribeck::InputError>(())
-    /// ```
-    pub fn second_order(
-        last: [&[f64]; 2],
-        time_steps: [f64; 2],
-        combined: &'a mut [f64],
-    ) -> Result<Self, InputError> {
-        InputError::require_len("last.0", last[0], combined.len())?;
-        InputError::require_len("last.1", last[1], combined.len())?;
-        InputError::require_positive("time_steps.0", time_steps[0])?;
-        InputError::require_positive("time_steps.1", time_steps[1])?;
-        let ratio = time_steps[0] / time_steps[1];
-        let share = 1.0 / (1.0 + 2.0 * ratio);
-        let time_step = share * (1.0 + ratio) * time_steps[0];
-        for (out, (newest, oldest)) in combined.iter_mut().zip(last[0].iter().zip(last[1])) {
-            let mass = newest + share * ratio * ratio * (newest - oldest);
-            *out = if mass < 0.0 { *newest } else { mass };
-        }
-        Ok(Self { previous_mass: combined, time_step })
-    }
-}
-
-/// Fluid pressure at the edge of the box, for a contact whose pressure extends outside.
-///
-/// The pressures hold at the outermost nodes and belong to the fluid outside, which carries `load_outside`. If that is
-/// unknown, [`NewtonKrylov`](super::NewtonKrylov) keeps the approach of its initial state, and the load of the contact
-/// is a result. Without edge pressures, the pressure is ambient half a cell outside the outermost nodes.
-///
-/// # Examples
-///
-/// ```
-/// use stribeck::reynolds::EdgePressure;
-/// let field = [0.0; 64];
-/// let edge = EdgePressure { field: &field, load_outside: Some(0.2) };
-/// assert!(edge.field.iter().all(|pressure| *pressure >= 0.0) && edge.load_outside < Some(1.0));
-/// ```
-#[derive(Debug, Clone, Copy)]
-pub struct EdgePressure<'a> {
-    /// Pressure on the grid, of which only the outermost nodes are used \[Pa\].
-    pub field: &'a [f64],
-    /// Load carried outside, including the outermost nodes \[N\]; `None` if the approach is prescribed.
-    pub load_outside: Option<f64>,
 }
 
 /// A contact problem: find pressure, film and approach such that
@@ -315,79 +227,6 @@ impl LubricatedContact<'_> {
     pub(super) fn copied(&mut self) -> LubricatedContact<'_> {
         LubricatedContact { deformation: &mut *self.deformation, ..*self }
     }
-
-    /// Checks shapes and ranges of every field.
-    ///
-    /// # Errors
-    /// An [`InputError`] naming the first invalid field, or a load that the pressure limit cannot carry, with the
-    /// largest possible load.
-    pub fn validate(&self) -> Result<(), InputError> {
-        let grid = self.grid();
-        grid.require_field("gap", self.gap)?;
-        InputError::require_positive("load", self.load)?;
-        InputError::require_positive("reference_half_widths.0", self.reference_half_widths.0)?;
-        InputError::require_positive("reference_half_widths.1", self.reference_half_widths.1)?;
-        InputError::require_positive("reference_pressure", self.reference_pressure)?;
-        InputError::require_non_negative("reference_film", self.reference_film)?;
-        InputError::require(grid.nx() >= 5, "grid.nx", grid.nx() as f64, "at least 5 for a contact solve")?;
-        InputError::require(
-            grid.ny() == 1 || grid.ny() >= 5,
-            "grid.ny",
-            grid.ny() as f64,
-            "at least 5 for a contact solve, or 1 for a line contact",
-        )?;
-        if self.lubricant.is_some() {
-            InputError::require_positive("film_cutoff", self.film_cutoff)?;
-            if self.squeeze.is_none() || self.entrainment_speed != 0.0 {
-                require_speed("entrainment_speed", self.entrainment_speed)?;
-            }
-            let films = self.lubricant.map_or(&[][..], Lubricant::film_temperatures);
-            if !films.is_empty() {
-                InputError::require_len("lubricant.film_temperatures", films, grid.len())?;
-            }
-            if let Some(radius) = self.spin_radius {
-                require_spin(("spin_radius", radius), &grid, self.supplied_film.is_some(), self.is_paper())?;
-                require_speed("entrainment_speed", self.entrainment_speed)?;
-            }
-            if let Some(film) = self.supplied_film {
-                InputError::require_positive("supplied_film", film)?;
-                self.cavitation.require_conserved("supplied_film", film)?;
-            }
-        }
-        if let Some(edge) = self.edge_pressure {
-            grid.require_field("edge_pressure.field", edge.field)?;
-            let low = edge.field.iter().copied().fold(0.0, f64::min);
-            InputError::require_non_negative("edge_pressure.field", low)?;
-            let outside = edge.load_outside.unwrap_or(0.0);
-            let fits = outside >= 0.0 && outside < self.load;
-            let requirement = "at least 0 and less than the load";
-            InputError::require(fits, "edge_pressure.load_outside", outside, requirement)?;
-        }
-        if let Some(squeeze) = self.squeeze {
-            InputError::require_positive("squeeze.time_step", squeeze.time_step)?;
-            grid.require_field("squeeze.previous_mass", squeeze.previous_mass)?;
-        }
-        self.validate_limit(&grid)
-    }
-
-    fn validate_limit(&self, grid: &Grid) -> Result<(), InputError> {
-        let Some(limit) = self.pressure_limit else { return Ok(()) };
-        grid.require_field("pressure_limit", limit)?;
-        if let Some(&low) = limit.iter().find(|&&p| p <= 0.0) {
-            InputError::require_positive("pressure_limit", low)?;
-        }
-        let largest: f64 = interior(grid).map(|k| limit[k]).sum::<f64>() * grid.cell_area();
-        let Some(load) = self.box_load() else { return Ok(()) };
-        if load >= largest {
-            return Err(InputError::Conflict {
-                field: format!("load = {}", format_number(self.load)),
-                reason: format!(
-                    "the inner nodes of the box carry less than {largest:.6e} N at the pressure limit; take less load, or harder bodies"
-                ),
-            });
-        }
-        Ok(())
-    }
 }
 
 /// Indices of the outermost nodes; for a line contact the two ends of its rows.
@@ -399,16 +238,4 @@ pub(crate) fn outermost(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
         let step = if at_side(j) { 1 } else { nx.max(2) - 1 };
         (0..nx).step_by(step).map(move |i| j * nx + i)
     })
-}
-
-/// Smallest entrainment speed of a film \[m/s\]: at smaller ones the entrainment is lost to rounding in the
-/// single-precision linear systems of Newton's method.
-pub(crate) const LEAST_SPEED: f64 = 1e-15;
-/// Requirement of [`require_speed`].
-pub(crate) const SPEED_REQUIREMENT: &str =
-    "finite and >= 1e-15: the oil flows along +x; mirror the scene in x for the other direction";
-
-/// Rejects an entrainment speed \[m/s\] that entrains no film.
-pub(crate) fn require_speed(field: &str, speed: f64) -> Result<(), InputError> {
-    InputError::require(speed.is_finite() && speed >= LEAST_SPEED, field, speed, SPEED_REQUIREMENT)
 }

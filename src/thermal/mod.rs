@@ -7,11 +7,13 @@
 
 mod collocation;
 mod field;
+mod film_flow;
 mod layers;
 mod properties;
 mod section;
 mod streams;
 
-pub use field::{FilmFlow, FilmTemperature, HeatBalance};
+pub use field::FilmTemperature;
+pub use film_flow::{FilmFlow, HeatBalance};
 pub use properties::FilmThermal;
 pub use section::{FilmHeat, FilmProfile, FilmSection, SectionSolver};

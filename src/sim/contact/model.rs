@@ -6,26 +6,26 @@
 
 use std::sync::atomic::Ordering;
 
-use crate::elastic::{HalfSpace, LayeredHalfSpace, LineHalfSpace, StripHalfSpace, WithLocalCompliance};
+use crate::elastic::WithLocalCompliance;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
+use crate::lubricant::Lubricant;
 use crate::report::{SolveReport, Status};
 use crate::reynolds::{
     Cavitation, ContactDefinition, ContactState, EdgePressure, Evaluation, FaceMobility, FilmFlows,
     FlowBalance, LubricatedContact, ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule,
-    require_spin,
 };
-use crate::sim::contact::boxed_clone::{OwnedModel, OwnedSolver};
+use crate::sim::contact::boxed_clone::OwnedSolver;
 use crate::sim::contact::compliant_films::CompliantFilms;
+use crate::sim::contact::components::{CustomComponents, checked_deformation, lubricant, validated_grid};
 use crate::sim::contact::far_field::{FarField, Inlet};
 use crate::sim::contact::formula::{FormulaFilm, formula_film, stated_film};
-use crate::sim::contact::interrupt::{Interrupt, Interruptible};
-use crate::sim::contact::{custom_laws, film_temperature, oil, setup};
+use crate::sim::contact::interrupt::Interruptible;
+use crate::sim::contact::{film_temperature, setup};
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
-use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
-use crate::sim::scene::{InletSpec, Motion, PlasticSpec, Scene};
+use crate::sim::scene::operating_schedule::OperatingSchedule;
+use crate::sim::scene::{InletSpec, Motion, Scene};
 use crate::solver_id::SolverId;
 
 /// Residual over tolerance up to which a custom solver counts as converged: its films are rounded differently.
@@ -90,44 +90,6 @@ pub(in crate::sim) struct ContactModel {
     pub(in crate::sim) far_field: Option<FarField>,
 }
 
-/// State of a contact model that depends on the conditions.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::sim) struct SavedConditions {
-    /// Hertz contact under the load.
-    hertz: HertzContact,
-    /// Entrainment speed and slide-roll ratio.
-    motion: Motion,
-    /// Film formulas.
-    formulas: Option<FormulaFilm>,
-    /// Central film by formula \[m\].
-    stated_film: f64,
-    /// Requested load \[N\].
-    load: f64,
-    /// Shear-thinned viscosity of the pressure flow.
-    shear_thinning: Option<ShearThinning>,
-    /// Temperature of the lubricant \[K\].
-    bulk_temperature: f64,
-    /// Flow balance of the last solution.
-    flow: Option<FlowBalance>,
-}
-
-/// Custom components that replace parts of the scene.
-#[derive(Debug, Default)]
-pub(in crate::sim) struct CustomComponents {
-    /// Elastic bodies.
-    pub(in crate::sim) deformation: Option<Box<dyn OwnedModel>>,
-    /// Viscosity law.
-    pub(in crate::sim) viscosity: Option<Box<dyn ViscosityLaw>>,
-    /// Density law.
-    pub(in crate::sim) density: Option<Box<dyn DensityLaw>>,
-    /// Solver, whose solutions are verified.
-    pub(in crate::sim) solver: Option<Box<dyn OwnedSolver>>,
-    /// Whether the caller verifies its solutions.
-    pub(in crate::sim) is_checked: bool,
-    /// Interrupt of solves.
-    pub(in crate::sim) interrupt: Option<Interrupt>,
-}
-
 impl ContactModel {
     /// The contact of `scene` at the start of its schedule, with `custom` components in place of its parts.
     ///
@@ -188,79 +150,6 @@ impl ContactModel {
             Some(compliant) => compliant.add_to(&mut self.deformation, films),
             None => Ok(()),
         }
-    }
-
-    /// The Hertz contact under `load` \[N\]; of a strip that of one period under `load` \[N/m\].
-    pub(in crate::sim) fn hertz_under(&self, scene: &Scene, load: f64) -> Result<HertzContact, InputError> {
-        let is_present = load.to_bits() == self.load.to_bits();
-        if is_present { Ok(self.hertz) } else { Ok(scene.hertz_under(load)?.on(&self.grid)) }
-    }
-
-    /// Sets load and speeds of `conditions`.
-    pub(in crate::sim) fn set_conditions(
-        &mut self,
-        scene: &Scene,
-        conditions: &Conditions,
-    ) -> Result<(), InputError> {
-        let temperature = conditions.bulk_temperature;
-        let warmed = temperature.to_bits() != self.bulk_temperature.to_bits();
-        let same = conditions.motion == self.motion && conditions.load.to_bits() == self.load.to_bits();
-        if same && !warmed {
-            return Ok(());
-        }
-        self.warm_to(temperature);
-        let (hertz, motion) = (self.hertz_under(scene, conditions.load)?, conditions.motion);
-        let law = self.lubricant.as_ref().map(Lubricant::viscosity);
-        let per_metre = hertz.per_metre(&self.grid);
-        let formulas = formula_film(scene, &per_metre, motion.entrainment_speed, law, None)?;
-        let stated_film = stated_film(scene, &per_metre, conditions, law)?;
-        let shear_thinning = scene.friction.shear_thinning(motion.sliding_speed())?;
-        (self.hertz, self.motion, self.formulas, self.stated_film) = (hertz, motion, formulas, stated_film);
-        (self.load, self.shear_thinning) = (conditions.load, shear_thinning);
-        Ok(())
-    }
-
-    /// Sets the form of `scene`; Hertz contact and formulas follow with the next
-    /// [`set_conditions`](ContactModel::set_conditions).
-    pub(in crate::sim) fn set_form(&mut self, scene: &Scene) -> Result<(), InputError> {
-        scene.form.gap_into(&self.grid, &mut self.form_gap)?;
-        // No load is equal to NaN: the next conditions are new ones.
-        self.load = f64::NAN;
-        Ok(())
-    }
-
-    /// Sets the bulk `temperature` \[K\] of the lubricant.
-    fn warm_to(&mut self, temperature: f64) {
-        if temperature.to_bits() != self.bulk_temperature.to_bits() {
-            self.lubricant = self.lubricant.take().map(|lubricant| lubricant.at_temperature(temperature));
-            self.bulk_temperature = temperature;
-        }
-    }
-
-    /// State changed by [`ContactModel::set_conditions`], and the flow balance changed by [`ContactModel::solve`].
-    pub(in crate::sim) fn saved(&self) -> SavedConditions {
-        SavedConditions {
-            hertz: self.hertz,
-            motion: self.motion,
-            formulas: self.formulas,
-            stated_film: self.stated_film,
-            load: self.load,
-            shear_thinning: self.shear_thinning,
-            bulk_temperature: self.bulk_temperature,
-            flow: self.flow,
-        }
-    }
-
-    /// Restores the state saved by [`ContactModel::saved`].
-    pub(in crate::sim) fn restore_conditions(&mut self, before: SavedConditions) {
-        self.hertz = before.hertz;
-        self.motion = before.motion;
-        self.formulas = before.formulas;
-        self.stated_film = before.stated_film;
-        self.load = before.load;
-        self.shear_thinning = before.shear_thinning;
-        self.warm_to(before.bulk_temperature);
-        self.flow = before.flow;
     }
 
     /// Central film of the smooth contact by the formula of its regime; zero without lubricant \[m\].
@@ -385,61 +274,6 @@ impl ContactModel {
     }
 }
 
-/// The grid of a scene whose values are in range and whose box contains the contact.
-fn validated_grid(scene: &Scene) -> Result<Grid, SimError> {
-    setup::validate(scene)?;
-    let grid = scene.grid()?;
-    let hertz = scene.hertz()?;
-    setup::validate_box(&grid, &hertz, scene.form.is_line())?;
-    setup::validate_room(scene, &grid, &hertz)?;
-    if let Some(radius) = scene.motion.spin_radius {
-        let supplied = scene.lubricant.is_some_and(|lubricant| lubricant.supplied_film.is_some());
-        let is_paper = scene.solver.contact == ContactDefinition::UnifiedReynolds;
-        require_spin(("motion.spin_radius", radius), &grid, supplied, is_paper)?;
-    }
-    setup::validate_film_cutoff(scene)?;
-    setup::validate_memory(&grid, scene.is_lubricated())?;
-    Ok(grid)
-}
-
-/// Custom laws of viscosity and density.
-type CustomOil = (Option<Box<dyn ViscosityLaw>>, Option<Box<dyn DensityLaw>>);
-
-/// The lubricant at `temperature` \[K\], by custom laws or those of the scene; `None` for a dry scene.
-fn lubricant(
-    scene: &Scene,
-    temperature: f64,
-    (viscosity, density): CustomOil,
-) -> Result<Option<Lubricant>, InputError> {
-    let given = [("viscosity", viscosity.is_some()), ("density", density.is_some())];
-    if let (None, Some((law, _))) = (&scene.lubricant, given.iter().find(|(_, given)| *given)) {
-        return Err(InputError::Conflict {
-            field: (*law).to_owned(),
-            reason: "a law is given, but the scene has no lubricant".to_owned(),
-        });
-    }
-    let viscosity = match viscosity {
-        None => oil::viscosity(scene, temperature)?,
-        Some(law) => {
-            let law = law.at_temperature(temperature).unwrap_or(law);
-            custom_laws::require_viscosity(&*law, temperature)?;
-            Some(law)
-        }
-    };
-    let density = match density {
-        None => oil::density(scene, temperature)?,
-        Some(law) => {
-            let law = law.at_temperature(temperature).unwrap_or(law);
-            custom_laws::require_density(&*law)?;
-            Some(law)
-        }
-    };
-    Ok(match (scene.is_lubricated(), viscosity, density) {
-        (true, Some(viscosity), Some(density)) => Some(Lubricant::from_boxed(viscosity, density)),
-        _ => None,
-    })
-}
-
 /// The report of a custom solver with the evaluated residuals of its state. Films, plastic depths and masses of the
 /// state are overwritten with those of its pressures.
 fn verified(
@@ -457,77 +291,4 @@ fn verified(
     let holds = residual.max() <= VERIFIED * rule.tolerance && residual.is_finite();
     let status = if holds { Status::Converged } else { Status::Unverified };
     Ok(SolveReport { status, residual, ..report })
-}
-
-/// Checks that the grid and the hardness of `plastic`, if any, suffice for the smallest and the largest load of the
-/// schedule.
-pub(in crate::sim) fn validate_loads(
-    scene: &Scene,
-    plastic: Option<PlasticSpec>,
-    grid: &Grid,
-    operating_schedule: &OperatingSchedule,
-) -> Result<(), InputError> {
-    if scene.schedule.load.is_none() {
-        return Ok(());
-    }
-    for load in operating_schedule.loads() {
-        let hertz = scene.hertz_under(load)?.on(grid);
-        setup::validate_box(grid, &hertz, scene.form.is_line())?;
-        if let Some(plastic) = plastic {
-            let [ball, disc] = scene.hardnesses(plastic.hardness);
-            setup::validate_hardness(ball.min(disc), grid, &hertz)?;
-        }
-    }
-    Ok(())
-}
-
-/// The custom elastic model, or that of the scene. It must be on the grid and have a positive stiffness.
-fn checked_deformation(
-    scene: &Scene,
-    grid: Grid,
-    own: Option<Box<dyn OwnedModel>>,
-) -> Result<Box<dyn OwnedModel>, SimError> {
-    let own_deformation = own.is_some();
-    let deformation = match own {
-        Some(model) if model.grid() != grid => {
-            return Err(SimError::Input(InputError::Conflict {
-                field: "deformation".to_owned(),
-                reason: "the grid of the model is not that of the scene".to_owned(),
-            }));
-        }
-        Some(model) => model,
-        None => half_space(scene, grid, scene.form.radii().0.max(grid.size_x()))?,
-    };
-    let influence = deformation.influence(0, 0);
-    if !influence.is_normal() || influence < 0.0 {
-        return Err(SimError::Input(InputError::Conflict {
-            field: if own_deformation { "deformation" } else { "grid" }.to_owned(),
-            reason: format!(
-                "a cell of {:.3e} x {:.3e} m deflects by {influence:e} m under a pressure of 1 Pa, which must be a \
-                 positive number and no subnormal one",
-                grid.dx(),
-                grid.dy()
-            ),
-        }));
-    }
-    Ok(deformation)
-}
-
-/// The elastic half-space of the scene. Displacements of a line contact are relative to the distance `reference` \[m\].
-pub(in crate::sim) fn half_space(
-    scene: &Scene,
-    grid: Grid,
-    reference: f64,
-) -> Result<Box<dyn OwnedModel>, InputError> {
-    let modulus = scene.equivalent_modulus()?;
-    let layer = scene.layer()?;
-    if grid.is_strip() {
-        return Ok(Box::new(StripHalfSpace::new(grid, modulus, reference)?));
-    }
-    Ok(match (layer, scene.form.is_line()) {
-        (None, false) => Box::new(HalfSpace::new(grid, modulus)?),
-        (None, true) => Box::new(LineHalfSpace::new(grid, modulus, reference)?),
-        (Some(layer), false) => Box::new(LayeredHalfSpace::new(grid, modulus, layer)?),
-        (Some(layer), true) => Box::new(LayeredHalfSpace::plane_strain(grid, modulus, layer, reference)?),
-    })
 }

@@ -1,149 +1,20 @@
 //! Checkpoints: the complete state of a simulation in one file, exact to the last bit.
-//!
-//! | bytes | content |
-//! |---|---|
-//! | 0..20 | `stribeck checkpoint\n` |
-//! | 20..24 | format version, little-endian |
-//! | 24..32 | length of the content, little-endian |
-//! | 32..36 | CRC-32 of the content, little-endian |
-//! | 36.. | content in the `postcard` format |
-
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
-
 use crate::error::InputError;
-use crate::grid::Grid;
-use crate::plastic::PlasticDepth;
-use crate::regular_file;
-use crate::reynolds::ContactState;
 use crate::sim::contact::warnings::Warning;
 use crate::sim::error::CheckpointError;
 use crate::sim::files::atomic_file;
-use crate::sim::history::body::Body;
+use crate::sim::files::checkpoint_content::{
+    BodyPart, Content, checked_content, read, validate_rises, with_header,
+};
 use crate::sim::history::identity::{CONDITIONS, Identity};
 use crate::sim::history::simulation::MixedLubricationSim;
-use crate::sim::history::squeeze_memory::SqueezeMemory;
 use crate::sim::scene::GridSpec;
-use crate::tribochem::{FilmGrowthLaw, Tribofilm};
-use crate::wear::WearDepth;
 
 /// Name of a checkpoint in memory, for error messages.
 const IN_MEMORY: &str = "checkpoint in memory";
-/// First bytes of a checkpoint file.
-const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
-/// Format version that this version of the crate writes and reads.
-const FORMAT: u32 = 9;
-/// Bytes before the content.
-const HEADER: usize = 36;
-
-/// Checks the temperature rises of the film on both surfaces.
-fn validate_rises(rises: Option<&[f64]>, grid: &Grid) -> Result<(), InputError> {
-    let Some(rises) = rises else { return Ok(()) };
-    InputError::require_len("film rises", rises, 2 * grid.len())?;
-    InputError::require_finite("film rises", rises)
-}
-
-/// State of a body.
-#[derive(Serialize, Deserialize)]
-struct BodyPart<'a> {
-    /// Initial heights; a simulation that resumes must have the same ones.
-    initial: Cow<'a, [f64]>,
-    /// Heights at the time of the checkpoint.
-    surface: Cow<'a, [f64]>,
-    /// Worn depth.
-    wear: Cow<'a, [f64]>,
-    /// Plastic depth.
-    plastic: Cow<'a, [f64]>,
-    /// The tribofilm, if there is one.
-    film: Option<FilmPart<'a>>,
-    /// Worn volume.
-    worn_volume: f64,
-}
-
-/// State of a tribofilm.
-#[derive(Serialize, Deserialize)]
-struct FilmPart<'a> {
-    /// State variables of the growth law, node by node.
-    states: Cow<'a, [f64]>,
-    /// Total thickness that the nodes have gained and lost \[m\].
-    changes: [f64; 2],
-}
-
-/// All state that later steps depend on, and the identity of the run.
-#[derive(Serialize, Deserialize)]
-struct Content<'a> {
-    /// Scene and parts that the simulation was built from.
-    identity: Identity,
-    /// Ball and disc.
-    bodies: [BodyPart<'a>; 2],
-    /// Solution of the last step: with squeeze, the next step starts from it.
-    state: Cow<'a, ContactState>,
-    /// The last two contacts.
-    squeeze_memory: Cow<'a, SqueezeMemory>,
-    /// Simulated time \[s\].
-    time: f64,
-    /// Number of committed steps.
-    step: u64,
-    /// Number of roughness positions tried so far.
-    draws: u64,
-    /// Initial temperature rise of the film in the next contact \[K\]; `None` for an isothermal film.
-    film_rises: Option<Cow<'a, [f64]>>,
-    /// Warnings so far.
-    warnings: Cow<'a, [Warning]>,
-}
-
-impl<'a> BodyPart<'a> {
-    /// The state of `body`.
-    fn of(body: &'a Body) -> Self {
-        Self {
-            initial: body.initial().into(),
-            surface: body.surface().into(),
-            wear: body.wear().into(),
-            plastic: body.plastic_depth().into(),
-            film: body
-                .film
-                .as_ref()
-                .map(|film| FilmPart { states: film.states().into(), changes: film.changes() }),
-            worn_volume: body.worn_volume,
-        }
-    }
-
-    /// Rebuilds the body, with a film that grows by `law`. Rejects fields that do not have `n` finite values.
-    fn into_body(self, law: Option<&dyn FilmGrowthLaw>, n: usize) -> Result<Body, InputError> {
-        let mut body = Body::new(self.initial.into_owned(), None);
-        body.wear = WearDepth::from_values(self.wear.into_owned())?;
-        body.plastic = PlasticDepth::from_values(self.plastic.into_owned())?;
-        body.film = match (law, self.film) {
-            (Some(law), Some(film)) => {
-                Some(Tribofilm::from_states(law, film.states.into_owned(), film.changes)?)
-            }
-            (None, None) => None,
-            _ => {
-                return Err(InputError::Conflict {
-                    field: "tribofilm".to_owned(),
-                    reason: "there is a law or a film, not both".to_owned(),
-                });
-            }
-        };
-        body.surface = self.surface.into_owned();
-        InputError::require_non_negative("worn volume", self.worn_volume)?;
-        body.worn_volume = self.worn_volume;
-        for (field, values) in [
-            ("initial heights", body.initial()),
-            ("surface", body.surface()),
-            ("wear", body.wear()),
-            ("plastic depth", body.plastic_depth()),
-            ("tribofilm", body.tribofilm()),
-        ] {
-            InputError::require_len(field, values, n)?;
-            InputError::require_finite(field, values)?;
-        }
-        Ok(body)
-    }
-}
-
 impl MixedLubricationSim {
     /// Writes the state to a file. A simulation of the same scene and laws that [restores](Self::restore) it
     /// continues as this one does, equal to the last bit on the same kind of processor. The file is replaced
@@ -204,13 +75,7 @@ impl MixedLubricationSim {
             warnings: Cow::Borrowed(&self.warnings),
         };
         let content = postcard::to_stdvec(&content).map_err(|error| damaged(error.to_string()))?;
-        let mut bytes = Vec::with_capacity(HEADER + content.len());
-        bytes.extend_from_slice(MAGIC);
-        bytes.extend_from_slice(&FORMAT.to_le_bytes());
-        bytes.extend_from_slice(&(content.len() as u64).to_le_bytes());
-        bytes.extend_from_slice(&crc32fast::hash(&content).to_le_bytes());
-        bytes.extend_from_slice(&content);
-        Ok(bytes)
+        Ok(with_header(&content))
     }
 
     /// Restores the state from the bytes of [`checkpoint`](Self::checkpoint).
@@ -411,43 +276,7 @@ impl MixedLubricationSim {
     }
 }
 
-/// The bytes of a file. Their number is not bounded: it depends on the grid.
-fn read(path: &Path) -> Result<Vec<u8>, CheckpointError> {
-    let io = |source| CheckpointError::Io { path: path.to_owned(), source };
-    if !regular_file::begins_with(path, MAGIC).map_err(io)? {
-        return Err(CheckpointError::Foreign { path: path.to_owned() });
-    }
-    regular_file::read(path, u64::MAX).map_err(io)
-}
-
 /// Whether two fields agree to the last bit.
 fn same_bits(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
-}
-
-/// The content after a valid header.
-fn checked_content<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a [u8], CheckpointError> {
-    let damaged =
-        |reason: &str| CheckpointError::Damaged { path: path.to_owned(), reason: reason.to_owned() };
-    let Some(rest) = bytes.strip_prefix(MAGIC) else {
-        return Err(CheckpointError::Foreign { path: path.to_owned() });
-    };
-    let Some((header, content)) = rest.split_first_chunk::<{ HEADER - MAGIC.len() }>() else {
-        return Err(damaged("it ends within its header"));
-    };
-    let [f0, f1, f2, f3, length @ .., c0, c1, c2, c3] = header;
-    let found = u32::from_le_bytes([*f0, *f1, *f2, *f3]);
-    if found > FORMAT {
-        return Err(CheckpointError::Newer { path: path.to_owned(), found, known: FORMAT });
-    }
-    if found < FORMAT {
-        return Err(damaged("its format is not one that this version reads"));
-    }
-    if length != (content.len() as u64).to_le_bytes().as_slice() {
-        return Err(damaged("its length is not the one it was written with"));
-    }
-    if crc32fast::hash(content) != u32::from_le_bytes([*c0, *c1, *c2, *c3]) {
-        return Err(damaged("its checksum does not fit"));
-    }
-    Ok(content)
 }

@@ -4,6 +4,8 @@
 pub(in crate::sim) mod atomic_file;
 #[cfg(feature = "serde")]
 pub(in crate::sim) mod checkpoint;
+#[cfg(feature = "serde")]
+mod checkpoint_content;
 #[cfg(feature = "npz")]
 pub(in crate::sim) mod npz;
 #[cfg(all(feature = "serde", feature = "npz"))]

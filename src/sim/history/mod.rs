@@ -6,9 +6,11 @@
 
 pub(in crate::sim) mod accessors;
 pub(in crate::sim) mod body;
+mod build;
 pub(in crate::sim) mod builder;
 pub(in crate::sim) mod columns;
 pub(in crate::sim) mod contact_exposure;
+pub(in crate::sim) mod custom_parts;
 pub(in crate::sim) mod exposure;
 pub(in crate::sim) mod half_mesh;
 pub(in crate::sim) mod heat;
@@ -16,6 +18,7 @@ pub(in crate::sim) mod history_means;
 #[cfg(feature = "serde")]
 pub(in crate::sim) mod identity;
 pub(in crate::sim) mod observer;
+mod parts;
 pub(in crate::sim) mod placement;
 pub(in crate::sim) mod record;
 mod record_csv;
@@ -23,7 +26,10 @@ pub(in crate::sim) mod runs;
 pub(in crate::sim) mod simulation;
 pub(in crate::sim) mod squeeze_memory;
 pub(in crate::sim) mod start;
+mod step_commit;
 pub(in crate::sim) mod step_control;
+mod step_solve;
+mod step_warnings;
 pub(in crate::sim) mod track;
 pub(in crate::sim) mod wider_box;
 pub(in crate::sim) mod yielding;

@@ -13,37 +13,28 @@
 //! Bodies change in 4 only, and only if 2 has converged; an error restores the previous state.
 
 use crate::error::InputError;
-use crate::lubricant::Lubricant;
 use crate::report::SolveReport;
 use crate::reynolds::ContactState;
 use crate::sim::contact::error_estimate::ErrorEstimate;
-use crate::sim::contact::film_heat::{self, FilmIteration, SolveContext, Solved};
+use crate::sim::contact::film_heat::FilmIteration;
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::ContactModel;
-use crate::sim::contact::numbers::{DepthNumbers, Numbers, PlasticNumbers, WearNumbers};
-use crate::sim::contact::outer_rows::{self, Change};
 use crate::sim::contact::strip;
 use crate::sim::contact::warnings::{self, Warning};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
-use crate::sim::history::contact_exposure::{ContactExposure, StepBuffers};
-use crate::sim::history::exposure;
+use crate::sim::history::contact_exposure::StepBuffers;
 use crate::sim::history::half_mesh::HalfMesh;
 use crate::sim::history::heat::Heat;
-use crate::sim::history::placement::{Offsets, Placement, SurfaceMotion};
+use crate::sim::history::placement::{Placement, SurfaceMotion};
 use crate::sim::history::record::StepRecord;
-use crate::sim::history::squeeze_memory::{Entrainment, SqueezeMemory};
+use crate::sim::history::squeeze_memory::SqueezeMemory;
 use crate::sim::history::step_control::StepControl;
 use crate::sim::history::yielding::Yielding;
 use crate::sim::scene::Scene;
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
-
-/// Most positions of the roughness tried in a step.
-const MAX_ATTEMPTS: u32 = 8;
-/// Most reductions of the length of a step.
-const MAX_CUTS: usize = 40;
 
 /// A rough lubricated contact whose surfaces yield, grow a tribofilm and wear in sliding.
 ///
@@ -119,13 +110,13 @@ pub struct MixedLubricationSim {
     /// The contact on half the cells; `None` if the scene requests no errors.
     pub(in crate::sim) half_mesh: Option<Box<HalfMesh>>,
     /// Buffers on the nodes of a body.
-    buffers: StepBuffers,
+    pub(in crate::sim) buffers: StepBuffers,
     /// Mass of the squeeze term.
-    squeezed: Vec<f64>,
+    pub(in crate::sim) squeezed: Vec<f64>,
     /// The bodies before the present step.
     pub(in crate::sim) backup: [Body; 2],
     /// The contact before the present step.
-    before: ContactState,
+    pub(in crate::sim) before: ContactState,
     /// Whether the grid may be a strip: in passages and cycles, which have no wear.
     pub(in crate::sim) takes_strips: bool,
     /// Warnings so far.
@@ -207,7 +198,7 @@ impl MixedLubricationSim {
     }
 
     /// Rejects histories of strips, unless passages and cycles take their steps.
-    fn require_no_strip_history(&self) -> Result<(), InputError> {
+    pub(in crate::sim) fn require_no_strip_history(&self) -> Result<(), InputError> {
         if self.takes_strips { Ok(()) } else { strip::require_single_contact(&self.scene) }
     }
 
@@ -272,258 +263,5 @@ impl MixedLubricationSim {
         let limit = self.laws.plasticity.is_some().then_some(self.yielding.limit.as_slice());
         let fine = (&self.contact, report, &self.state, &self.friction, limit);
         half.estimate(&self.laws, conditions, &self.placement, fine)
-    }
-
-    /// Warnings about the first contact.
-    fn warn_of_first(&mut self, record: &StepRecord) {
-        let seen = warnings::SolvedContact {
-            hertz: &self.contact.hertz,
-            dx: self.contact.grid.dx(),
-            smooth: record.roughness.composite_rq == 0.0,
-            largest_pressure: record.pressure.max,
-            central_film: record.film.central,
-            friction: record.friction.coefficient,
-            load_ratio: record.contact.load_ratio,
-            temperatures: record.thermal.map(|heat| [heat.film_temperature_max, record.bulk_temperature]),
-        };
-        self.warnings.extend(warnings::of_contact(&self.scene, &seen, false));
-    }
-
-    /// Warnings about physics that the scene leaves out under these conditions and about errors of the mesh, each once a
-    /// run.
-    fn warn_of_left_out(&mut self, record: &StepRecord, conditions: Conditions) {
-        let point = warnings::OperatingPoint {
-            hertz: &self.contact.hertz,
-            conditions,
-            viscosity: self.contact.lubricant.as_ref().map(Lubricant::viscosity),
-            smooth: record.roughness.composite_rq == 0.0,
-            friction: [record.friction.boundary, record.friction.fluid],
-            film: record.film.mean_central,
-            load_ratio: record.contact.load_ratio,
-            yield_ratio: None,
-        };
-        let mut found = warnings::left_out(&self.scene, &point);
-        let rough = record.roughness.composite_rq > 0.0;
-        let is_said = self.warnings.iter().any(|warning| warning.field.starts_with("error_estimate."));
-        if let Some(estimate) = record.error_estimate.filter(|_| !is_said) {
-            found.extend(warnings::large_errors(&estimate, rough));
-        }
-        found.retain(|warning| self.warnings.iter().all(|known| known.field != warning.field));
-        self.warnings.extend(found);
-    }
-
-    /// Commits the longest step that `control` allows and returns its length.
-    fn commit_within(&mut self, control: &StepControl, offsets: Offsets) -> Result<f64, SimError> {
-        let mut time_step = control.longest;
-        for _ in 0..MAX_CUTS {
-            self.commit(time_step, offsets)?;
-            let change = self.largest_change();
-            if change.min(control.depth) > self.half_width() {
-                return Err(SimError::Input(InputError::Conflict {
-                    field: format!("time_step = {time_step:e}"),
-                    reason: format!(
-                        "a node would change by {change:.1e} m, more than the half-width of the contact: take shorter steps, or check \
-                         the coefficient of wear"
-                    ),
-                }));
-            }
-            if change <= control.depth {
-                return Ok(time_step);
-            }
-            for (body, backup) in self.bodies.iter_mut().zip(&self.backup) {
-                body.clone_from(backup);
-            }
-            time_step *= (0.98 * control.depth / change).clamp(0.02, 0.98);
-        }
-        Err(SimError::Input(InputError::Conflict {
-            field: format!("depth = {:?}", control.depth),
-            reason: format!("the laws change a node by more than it even within {time_step:e} s"),
-        }))
-    }
-
-    /// Rejects a step in which wear or a tribofilm has reached the edge of the box.
-    fn require_changes_inside(&self) -> Result<(), SimError> {
-        if self.scene.solver.edge_contact {
-            return Ok(());
-        }
-        let Conditions { motion, bulk_temperature, .. } = self.conditions();
-        let speeds = motion.surface_speeds();
-        let growth = self.laws.growth.as_deref();
-        let by_solids = growth.is_some_and(|law| outer_rows::needs_solids(law, bulk_temperature));
-        for (body, (now, before)) in self.bodies.iter().zip(&self.backup).enumerate() {
-            let change = Change {
-                body,
-                visits: exposure::visits(self.surface_motion.motion.as_ref(), speeds[body]),
-                wear: [now.wear(), before.wear()],
-                film: by_solids.then(|| [now.tribofilm(), before.tribofilm()]),
-            };
-            let contact_film = self.scene.solver.film_cutoff;
-            change.require_inside(&self.contact.grid, &self.contact.hertz, contact_film)?;
-        }
-        Ok(())
-    }
-
-    /// Smaller half-width of the Hertz contact \[m\].
-    fn half_width(&self) -> f64 {
-        self.contact.hertz.half_width_x.min(self.contact.hertz.half_width_y)
-    }
-
-    /// Largest change of wear or film of any node since the backup \[m\].
-    fn largest_change(&self) -> f64 {
-        let fields = self.bodies.iter().zip(&self.backup).flat_map(|(now, before)| {
-            let wear = now.wear().iter().zip(before.wear());
-            wear.chain(now.tribofilm().iter().zip(before.tribofilm()))
-        });
-        fields.fold(0.0, |largest, (now, before)| largest.max((now - before).abs()))
-    }
-
-    /// Solves the contact at the next position of the roughness, or at further ones if that fails.
-    fn solve_at_some_position(&mut self) -> Result<(Solved, Offsets, u32), SimError> {
-        let mut attempt = 1;
-        loop {
-            let offsets = self.offsets()?;
-            self.draws += 1;
-            let (report, heat) = self.solve_at(offsets)?;
-            match report.require_converged() {
-                Ok(()) => return Ok(((report, heat), offsets, attempt)),
-                // Without another position a further attempt would be the same.
-                Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
-                    return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
-                }
-                // With squeeze a solve starts from the previous state: restore the last converged one.
-                Err(_) => {
-                    self.state.clone_from(&self.before);
-                    attempt += 1;
-                }
-            }
-        }
-    }
-
-    /// Offsets of the roughness at the next solve.
-    fn offsets(&self) -> Result<Offsets, InputError> {
-        let speeds = self.operating_schedule.mean_speeds(self.time);
-        self.surface_motion.offsets(self.draws, self.time, speeds, &self.contact.grid)
-    }
-
-    /// Returns the input errors of the next solve without solving.
-    pub(in crate::sim) fn check_first_contact(&mut self) -> Result<(), SimError> {
-        self.require_no_strip_history()?;
-        let offsets = self.offsets()?;
-        let Self { bodies, contact, laws, state, contact_start, placement, yielding, .. } = self;
-        placement.place(bodies, &contact.form_gap, offsets)?;
-        contact.set_tribofilms(&placement.films)?;
-        let limit = match &laws.plasticity {
-            None => None,
-            Some(models) => {
-                yielding.start(models, &placement.films, &placement.depths)?;
-                Some(yielding.limit.as_slice())
-            }
-        };
-        Ok(contact.check(&placement.gap, limit, contact_start.as_ref().unwrap_or(state))?)
-    }
-
-    /// Solves the contact of the bodies at `offsets` with its shear stresses and, if modelled, the film
-    /// temperature.
-    pub(in crate::sim) fn solve_at(&mut self, offsets: Offsets) -> Result<Solved, SimError> {
-        let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
-        placement.place(&self.bodies, &contact.form_gap, offsets)?;
-        contact.set_tribofilms(&placement.films)?;
-        let squeeze = if self.surface_motion.squeeze {
-            squeeze_memory.squeeze(self.step, Entrainment::of(contact), squeezed)?
-        } else {
-            None
-        };
-        // With squeeze the previous film is close to the next one: keep it as a start. Otherwise the roughness
-        // has moved far, and the dry contact is as good a start.
-        match self.contact_start.as_ref().filter(|_| self.step == 0) {
-            Some(start) => state.clone_from(start),
-            None if squeeze.is_none() => state.pressure.fill(0.0),
-            None => {}
-        }
-        if let Some(heat) = &mut self.film_heat {
-            heat.move_at(contact.motion.surface_speeds(), &contact.grid)?;
-        }
-        let given = SolveContext { laws, tribofilms: &placement.films };
-        let models = laws.plasticity.as_ref();
-        let mut once = |contact: &mut ContactModel, state: &mut ContactState| {
-            yielding.solve(models, placement, contact, squeeze, state)
-        };
-        let heat = self.film_heat.as_mut();
-        let solved = film_heat::solve(&given, heat, (contact, state, &mut self.friction), &mut once);
-        outer_rows::require_solids_inside(&self.scene, (contact, state), solved)
-    }
-
-    /// Applies flattening, wear and film growth of a step of `time_step` \[s\] to the bodies.
-    fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
-        let Conditions { motion, bulk_temperature, .. } = self.conditions();
-        let Self { bodies, contact, laws, state, yielding, friction, buffers, .. } = self;
-        let (grid, speeds) = (&contact.grid, motion.surface_speeds());
-        let (track, roughness_motion) = (&self.scene.track, self.surface_motion.motion.as_ref());
-        let time_weight = |exposure| {
-            exposure::time_weight((track, exposure), roughness_motion, grid, &contact.hertz, speeds)
-        };
-        let wear_exposure = self.scene.wear.map_or(track.exposure, |wear| wear.exposure);
-        let contact_exposure = ContactExposure {
-            grid,
-            state,
-            friction,
-            rises: self.heat.rises(),
-            bulk: bulk_temperature,
-            sliding: motion.sliding_speed(),
-            offsets,
-            time_weight: time_weight(track.exposure)?,
-            wear_time_weight: time_weight(wear_exposure)?,
-        };
-        if laws.plasticity.is_some() {
-            yielding.share(&state.plastic_depth)?;
-            buffers.flatten(bodies, &contact_exposure, &yielding.split, time_step)?;
-        }
-        buffers.wear_and_grow(bodies, &contact_exposure, laws, time_step)
-    }
-
-    /// Root mean square roughness of both bodies on the track \[m\].
-    fn roughness(&self) -> Result<[f64; 2], InputError> {
-        let [ball, disc] = &self.bodies;
-        Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
-    }
-
-    /// The record of the step of length `time_step` just taken, whose contact was solved under `conditions` on
-    /// surfaces of roughness `rq`.
-    fn record(
-        &self,
-        ((report, heat), attempts): (Solved, u32),
-        flash_rise: Option<f64>,
-        (conditions, rq): (Conditions, [f64; 2]),
-        time_step: f64,
-    ) -> Result<StepRecord, SimError> {
-        let limit = self.laws.plasticity.is_some().then_some(self.yielding.limit.as_slice());
-        let numbers = Numbers::of(&self.contact, &self.state, Some(&self.friction), limit, rq)?;
-        let depths = |field: fn(&Body) -> &[f64]| {
-            DepthNumbers::of(self.bodies.each_ref().map(field), |values| self.mean_on_track(values))
-        };
-        let [ball, disc] = self.bodies.each_ref().map(|body| body.volumes(self.contact.grid.cell_area()));
-        let volume = (ball?.plastic + disc?.plastic) / self.contact.grid.contact_length();
-        Ok(StepRecord {
-            step: self.step,
-            time: self.time + time_step,
-            time_step,
-            load: conditions.load,
-            motion: conditions.motion,
-            bulk_temperature: conditions.bulk_temperature,
-            roughness: numbers.roughness,
-            film: numbers.film,
-            pressure: numbers.pressure,
-            contact: numbers.contact,
-            friction: numbers.friction,
-            flow: self.contact.flow,
-            thermal: heat.map(|(numbers, _)| numbers),
-            flash_rise,
-            wear: WearNumbers::of(depths(Body::wear)?, self.bodies.each_ref().map(Body::worn_volume)),
-            tribofilm: depths(Body::tribofilm)?,
-            plastic: PlasticNumbers { volume },
-            error_estimate: None,
-            attempts,
-            report,
-        })
     }
 }

@@ -11,9 +11,11 @@
 //! the inlet edge is prescribed instead: the inner contact is solved at fixed approach, which is varied until it has
 //! this film.
 
+mod beyond;
 mod box_error;
 mod hand_over;
 pub(in crate::sim) mod outer;
+mod outer_grid;
 
 use crate::error::InputError;
 use crate::grid::Grid;

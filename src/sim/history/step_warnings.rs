@@ -1,0 +1,47 @@
+//! Warnings of the steps of a history.
+
+use crate::lubricant::Lubricant;
+use crate::sim::contact::warnings;
+use crate::sim::history::record::StepRecord;
+use crate::sim::history::simulation::MixedLubricationSim;
+use crate::sim::scene::operating_schedule::Conditions;
+
+impl MixedLubricationSim {
+    /// Warnings about the first contact.
+    pub(in crate::sim) fn warn_of_first(&mut self, record: &StepRecord) {
+        let seen = warnings::SolvedContact {
+            hertz: &self.contact.hertz,
+            dx: self.contact.grid.dx(),
+            smooth: record.roughness.composite_rq == 0.0,
+            largest_pressure: record.pressure.max,
+            central_film: record.film.central,
+            friction: record.friction.coefficient,
+            load_ratio: record.contact.load_ratio,
+            temperatures: record.thermal.map(|heat| [heat.film_temperature_max, record.bulk_temperature]),
+        };
+        self.warnings.extend(warnings::of_contact(&self.scene, &seen, false));
+    }
+
+    /// Warnings about physics that the scene leaves out under these conditions and about errors of the mesh, each once a
+    /// run.
+    pub(in crate::sim) fn warn_of_left_out(&mut self, record: &StepRecord, conditions: Conditions) {
+        let point = warnings::OperatingPoint {
+            hertz: &self.contact.hertz,
+            conditions,
+            viscosity: self.contact.lubricant.as_ref().map(Lubricant::viscosity),
+            smooth: record.roughness.composite_rq == 0.0,
+            friction: [record.friction.boundary, record.friction.fluid],
+            film: record.film.mean_central,
+            load_ratio: record.contact.load_ratio,
+            yield_ratio: None,
+        };
+        let mut found = warnings::left_out(&self.scene, &point);
+        let rough = record.roughness.composite_rq > 0.0;
+        let is_said = self.warnings.iter().any(|warning| warning.field.starts_with("error_estimate."));
+        if let Some(estimate) = record.error_estimate.filter(|_| !is_said) {
+            found.extend(warnings::large_errors(&estimate, rough));
+        }
+        found.retain(|warning| self.warnings.iter().all(|known| known.field != warning.field));
+        self.warnings.extend(found);
+    }
+}
