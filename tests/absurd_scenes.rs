@@ -1,5 +1,5 @@
-//! Random scenes, absurd ones included: each ends in convergence, in a status or in an error that says what
-//! is wrong.
+//! Random scenes, absurd ones included: each ends in convergence, in a status or in an error that names the
+//! fault.
 
 #![expect(clippy::print_stdout, reason = "tests")]
 
@@ -83,7 +83,7 @@ fn outcome(scene: &Scene, heights: usize) -> Result<String, String> {
     Ok(format!("{single} / {history}"))
 }
 
-/// The kind of an error that names what is wrong.
+/// The kind of an error that names the fault.
 fn named(error: &SimError) -> Result<String, String> {
     let text = error.to_string();
     match error {
@@ -101,7 +101,7 @@ fn tried(scene: &Scene, heights: usize) -> Result<String, String> {
     let copy = scene.clone();
     std::thread::spawn(move || {
         let result = catch_unwind(AssertUnwindSafe(|| outcome(&copy, heights)));
-        // Nobody listens any more to one that came too late.
+        // The receiver is gone if the result is late.
         let _ = sender.send(result);
     });
     match receiver.recv_timeout(PATIENCE) {
@@ -181,6 +181,7 @@ fn every_number() -> String {
 }
 
 #[test]
+#[ignore = "slow"]
 fn every_number_of_a_scene_file_may_be_absurd() {
     let text = every_number();
     assert!(solve_contact(&Scene::from_toml(&text).unwrap()).is_ok());
@@ -253,7 +254,7 @@ const KINDS: [SolverKind; 5] = [
     SolverKind::Dry,
 ];
 
-/// What nobody should ask for, by hand; each with its name.
+/// Unreasonable scenes, by hand, each with its name.
 fn absurd_by_hand() -> Vec<(String, Scene)> {
     let mut list: Vec<(String, Scene)> = Vec::new();
     for force in [0.0, 5e-324, 1e-30, 1e-9, 1e6, 1e12, 1e30, 1e300] {
@@ -327,7 +328,8 @@ fn absurd_by_hand() -> Vec<(String, Scene)> {
 }
 
 #[test]
-fn scenes_that_nobody_should_ask_for() {
+#[ignore = "slow"]
+fn unreasonable_scenes_end_in_a_status_or_a_named_error() {
     // Two at a time. The threads of rayon would wait here for solves that need them.
     let list = absurd_by_hand();
     let every_other = |first: usize| -> Vec<String> {

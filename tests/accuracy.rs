@@ -334,7 +334,7 @@ fn surfaces_and_grids_without_an_estimate_are_refused() {
 
 /// A limit of iterations is a status: the best state is there, and no estimate that it would not bear out.
 #[test]
-fn what_does_not_converge_has_no_estimate() {
+fn unconverged_contact_has_no_error_estimate() {
     let mut scene = rough(32);
     scene.solver.estimate = true;
     scene.solver.max_iterations = 1;

@@ -143,7 +143,7 @@ fn materials_out_of_range_are_named() {
 /// The steps after those of an earlier run, from memory and from its archive, are the ones that it would have
 /// taken.
 #[test]
-fn bodies_go_on_where_another_run_ended() {
+fn bodies_start_from_the_end_of_another_run() {
     let folder = tempfile::tempdir().unwrap();
     let mut soft = scene();
     soft.plastic.as_mut().unwrap().hardness = 3e9;

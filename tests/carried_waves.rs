@@ -61,6 +61,7 @@ fn kept(length: usize, cells: f64) -> f64 {
 }
 
 #[test]
+#[ignore = "slow"]
 fn waves_keep_their_amplitude_across_the_contact() {
     let cases = [
         (8, 1.0, 0.97),

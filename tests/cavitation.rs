@@ -64,7 +64,7 @@ fn assert_evaluates(scene: &Scene, solution: &ContactSolution) {
 }
 
 #[test]
-fn what_flows_into_a_rough_contact_flows_out() {
+fn inflow_of_a_rough_contact_equals_its_outflow() {
     let mut scene = Scene::azam_2019(64);
     scene.solver.cavitation = Some(Cavitation::Reynolds);
     let solution = solved(&scene);
@@ -120,10 +120,10 @@ fn the_mass_residual_bounds_the_imbalance_of_the_box() {
     }
 }
 
-/// With a squeeze term the box may store what enters: a film that is thicker than the one before takes up the
+/// With a squeeze term the box may store the inflow: a film that is thicker than the one before takes up the
 /// difference.
 #[test]
-fn what_is_stored_is_no_imbalance() {
+fn stored_mass_is_not_counted_as_imbalance() {
     let mut scene = Scene::azam_2019(32);
     scene.solver.cavitation = Some(Cavitation::MassConserving);
     let solution = solved(&scene);

@@ -11,7 +11,7 @@ use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, SimError, StepR
 use stribeck::surface::Advected;
 use stribeck::wear::Archard;
 
-/// Compiles for what may go to another thread, be shared among threads and be cloned.
+/// Compiles for types that can be sent to another thread, shared among threads and cloned.
 fn is_shared<T: Clone + Send + Sync + 'static>() {}
 
 #[test]
@@ -55,7 +55,7 @@ fn assert_same_way(mut sim: MixedLubricationSim) {
 }
 
 #[test]
-fn clones_of_a_mixed_history_go_the_same_way() {
+fn clones_of_a_mixed_history_have_equal_steps() {
     let mut scene = Scene::azam_2019(24).with_tribofilm();
     scene.thermal.flash = Flash::On;
     scene.materials.disc.hardness = Some(5e9);
@@ -64,7 +64,7 @@ fn clones_of_a_mixed_history_go_the_same_way() {
 }
 
 #[test]
-fn clones_with_own_parts_go_the_same_way() {
+fn clones_with_custom_parts_have_equal_steps() {
     let scene = Scene::azam_2019(24);
     let model = HalfSpace::new(scene.grid().unwrap(), 200e9).unwrap();
     let law = Archard::new(1e-7, 1e-8, 2e-7, 6e9).unwrap();
@@ -73,13 +73,13 @@ fn clones_with_own_parts_go_the_same_way() {
 }
 
 #[test]
-fn clones_of_a_dry_contact_go_the_same_way() {
+fn clones_of_a_dry_contact_have_equal_steps() {
     let mut dry = Scene::azam_2019(24);
     (dry.lubricant, dry.solver.kind) = (None, SolverKind::Dry);
     assert_same_way(MixedLubricationSim::builder(dry).build().unwrap());
 }
 
-/// What one of them does is not seen by the other.
+/// Changes of one of them do not affect the other.
 #[test]
 fn clones_are_independent() {
     let mut scene = Scene::azam_2019(16);

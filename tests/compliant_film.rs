@@ -303,6 +303,7 @@ fn history(scene: &Scene, steps: usize) -> Vec<StepRecord> {
 }
 
 #[test]
+#[ignore = "slow"]
 fn histories_with_compliant_films_need_no_more_work() {
     let (without, with) = (history(&scene(64), 24), history(&soft(64), 24));
     // The first contact is bare.

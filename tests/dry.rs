@@ -55,23 +55,24 @@ fn smooth_ball_converges_to_hertz_at_second_order() {
 
 #[test]
 fn steps_of_a_yielding_rough_contact_do_not_grow_with_the_grid() {
+    let reference = solved(&dry(128)).report.work.inner_iterations;
     for n in [128, 256, 512] {
         for hardness in [6e9, 2e9] {
             let mut scene = dry(n);
             scene.plastic = Some(PlasticSpec::new(hardness));
             let solution = solved(&scene);
             let steps = solution.report.work.inner_iterations;
-            assert!(steps <= 45, "{n} nodes, {hardness:e} Pa: {steps} steps");
+            assert!(3 * steps <= 4 * reference, "{n} nodes, {hardness:e} Pa: {steps} steps, {reference}");
             assert!(solution.state.pressure.iter().all(|&p| p <= hardness));
             assert!(solution.contact.plastic_area > 0.0, "the limit acts");
         }
     }
 }
 
-/// Conjugate-gradient steps on the finest grid, to 1e-8: measured 23 to 29, and 30 to 33 on 1024 x 1024
-/// nodes.
+/// Conjugate-gradient steps on the finest grid, to 1e-8; the first contact is the reference.
 #[test]
-fn rough_contacts_need_at_most_forty_steps_on_every_grid() {
+fn steps_of_rough_contacts_do_not_grow_with_the_grid() {
+    let mut reference = None;
     for n in [128, 129, 256, 512] {
         for hardness in [None, Some(6e9), Some(2e9)] {
             let mut scene = dry(n);
@@ -80,7 +81,9 @@ fn rough_contacts_need_at_most_forty_steps_on_every_grid() {
             scene.plastic = hardness.map(spec);
             let report = solve_contact(&scene).unwrap().report;
             assert_eq!(report.status, Status::Converged, "{report:?}");
-            assert!(report.work.inner_iterations <= 40, "{n} nodes, {hardness:?}: {report:?}");
+            let steps = report.work.inner_iterations;
+            let reference = *reference.get_or_insert(steps);
+            assert!(3 * steps <= 5 * reference, "{n} nodes, {hardness:?}: {report:?}, {reference}");
             let energy_error = report.energy_error.unwrap();
             assert!((0.0..1e-5).contains(&energy_error), "{n} nodes, {hardness:?}: {energy_error:e}");
         }

@@ -513,11 +513,12 @@ impl Scene {
 
 #[test]
 fn smooth_ball_matches_hertz() {
+    let reference = Scene::ball(64).0.solved().1.work.inner_iterations;
     for n in [64, 65, 128] {
         let (mut scene, hertz) = Scene::ball(n);
         let (state, report) = scene.solved();
         scene.check(&state, 1e-13);
-        assert!(report.work.inner_iterations <= 60, "{report:?}");
+        assert!(report.work.inner_iterations <= 2 * reference, "{report:?}");
         // Second order: measured 1.2e-4, 6.6e-5 and 3.6e-5 for the peak, 1.1e-4, 1.6e-4 and 2.1e-5 for the
         // approach.
         let second_order = 3e-4 * (64.0 / n as f64).powi(2);
@@ -645,13 +646,16 @@ fn gap_offset_changes_the_approach_alone() {
 
 #[test]
 fn rough_ball_satisfies_the_inequalities_with_and_without_limit() {
+    let smooth = Scene::ball(128).0.solved().1.work.inner_iterations;
     for seed in 1..4 {
         let mut areas = Vec::new();
         for limit in [None, Some(6e9), Some(2e9)] {
             let mut scene = Scene::rough(128, seed, limit);
             let (state, report) = scene.solved();
-            // Measured: 25 to 31 steps.
-            assert!(report.work.inner_iterations <= 45, "{report:?}");
+            assert!(
+                report.work.inner_iterations <= 5 * smooth,
+                "{report:?}, {smooth} steps of the smooth ball"
+            );
             assert!(report.residual.max() <= 1e-9);
             // 1e-13 m is 1e-7 of the displacement; the tolerance on the mean is 1e-9.
             scene.check(&state, 1e-13);
@@ -670,12 +674,12 @@ fn warm_start_from_the_solution_takes_few_steps() {
     for limit in [None, Some(6e9), Some(2e9)] {
         for seed in 1..4 {
             let mut scene = Scene::rough(128, seed, limit);
-            let (mut state, _) = scene.solved();
+            let (mut state, first) = scene.solved();
             let before = state.clone();
             let again = scene.solve(&mut Dry::new(), &mut state, 500);
             assert_eq!((again.status, again.work.iterations), (Status::Converged, 1), "{again:?}");
-            // Measured: up to 6, which reduce the residual by a digit below the tolerance.
-            assert!(again.work.inner_iterations <= 12, "{again:?}");
+            // These reduce the residual by a digit below the tolerance.
+            assert!(2 * again.work.inner_iterations <= first.work.inner_iterations, "{again:?}");
             assert_close(&state.pressure, &before.pressure, 1e-6, "pressure after a second solve");
         }
     }

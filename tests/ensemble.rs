@@ -24,7 +24,7 @@ fn members(steps: u64) -> Vec<Member> {
     ]
 }
 
-/// Records, without what `history.csv` does not hold, and failures in words, which are equal where every bit
+/// Records, without the values that `history.csv` does not have, and failures in words, which are equal where every bit
 /// is.
 fn words(outcomes: &[Outcome]) -> Vec<String> {
     let in_words = |outcome: &Outcome| {
@@ -52,7 +52,7 @@ fn outcomes_do_not_depend_on_the_number_of_threads() {
 }
 
 #[test]
-fn a_stopped_ensemble_goes_on() {
+fn stopped_ensemble_is_resumed() {
     let folder = tempfile::tempdir().unwrap();
     let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
     let expected = words(&ensemble::run_in(&whole, &members(4), 2, 1).unwrap());

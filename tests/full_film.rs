@@ -1,16 +1,16 @@
 //! Smooth full films: known values, orders of convergence, costs that do not grow with the grid, meshes that
 //! are too coarse.
 
-use stribeck::elastic::{DeformationModel, HalfSpace};
+use stribeck::Status;
+use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
-    ContactSolver, ContactState, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov, Scheme, Squeeze,
+    ContactSolver, ContactState, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov, Scheme,
     StoppingRule,
 };
 use stribeck::sim::scene::{GridSpec, InletSpec, Load, LubricantSpec, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
-use stribeck::{Grid, Status};
 
 const RADIUS: f64 = 1.0;
 const MODULUS: f64 = 226e9;
@@ -47,6 +47,12 @@ fn converged(scene: &Scene) -> ContactSolution {
     solution
 }
 
+/// Convolutions of the reference solve, to which the tests below compare their work: M = 20 on 128 cells by Newton's
+/// method after multigrid.
+fn reference_work() -> f64 {
+    converged(&ball(20.0, 10.0, 128)).report.work.convolutions
+}
+
 /// Central and minimum film in units of `a^2/R`.
 fn films(solution: &ContactSolution) -> (f64, f64) {
     let unit = solution.hertz.radius.powi(2) / RADIUS;
@@ -72,12 +78,17 @@ fn moes_parameters_give_the_scales_of_the_reference_films() {
 
 /// Converged values by two independent programs (multigrid and Newton, extrapolated from 256 to 1024 cells).
 #[test]
+#[ignore = "slow"]
 fn films_converge_to_reference_values_at_second_order() {
+    let reference = reference_work();
     for (m, central, minimum) in [(20.0, 0.4325, 0.2928), (100.0, 0.1372, 0.0735), (200.0, 0.0824, 0.0391)] {
         let solved = [128, 256, 512].map(|n| {
             let solution = converged(&ball(m, 10.0, n));
             let work = solution.report.work.convolutions;
-            assert!(work <= 120.0, "M {m}, {n} cells: {work} convolutions");
+            assert!(
+                work <= 1.6 * reference,
+                "M {m}, {n} cells: {work} convolutions, {reference} of the reference"
+            );
             films(&solution)
         });
         let [coarse, middle, fine] = solved;
@@ -103,6 +114,7 @@ fn first_order_films_exceed_the_reference_slightly() {
 /// The example of a public sweep code whose load iteration ends in a limit cycle at 128 and at 256 cells. On
 /// the coarsest mesh its film is thinner by a hundredth than on the finest.
 #[test]
+#[ignore = "slow"]
 fn steel_ball_in_thick_oil_converges_on_every_grid() {
     let modulus = 200e9 / (1.0 - 0.3_f64.powi(2));
     let films = [64, 128, 256, 512].map(|n| {
@@ -155,7 +167,9 @@ fn with_problem<T>(scene: &Scene, run: impl FnOnce(&mut LubricatedContact<'_>) -
 }
 
 #[test]
-fn multigrid_start_costs_less_than_thirty_convolutions() {
+#[ignore = "slow"]
+fn multigrid_start_costs_four_tenths_of_a_solve() {
+    let reference = reference_work();
     for n in [128, 256] {
         for (m, error) in [(20.0, 0.01), (200.0, 0.06), (1000.0, 0.25)] {
             let mut scene = ball(m, 10.0, n);
@@ -165,7 +179,10 @@ fn multigrid_start_costs_less_than_thirty_convolutions() {
             let start = solve_contact(&scene).unwrap();
             assert_eq!(start.report.status, Status::MaxIterations);
             let work = start.report.work.convolutions;
-            assert!(work <= 30.0, "M {m}, {n} cells: {work} convolutions");
+            assert!(
+                work <= 0.4 * reference,
+                "M {m}, {n} cells: {work} convolutions, {reference} of the reference"
+            );
             // The discretization error decreases by four from 128 to 256 cells.
             let discretisation = error * (128.0 / n as f64).powi(2);
             let algebraic = (films(&start).0 / exact - 1.0).abs();
@@ -176,21 +193,24 @@ fn multigrid_start_costs_less_than_thirty_convolutions() {
 
 #[test]
 fn cost_of_highly_loaded_films_does_not_grow() {
+    let reference = reference_work();
     for (n, m) in [(128, 500.0), (128, 1000.0), (256, 50.0), (256, 1000.0)] {
         let report = converged(&ball(m, 10.0, n)).report;
-        assert!(report.work.convolutions <= 130.0, "M {m}, {n} cells: {report:?}");
+        assert!(report.work.convolutions <= 1.7 * reference, "M {m}, {n} cells: {report:?}, {reference}");
     }
 }
 
 #[test]
-fn multigrid_alone_needs_few_convolutions() {
+#[ignore = "slow"]
+fn multigrid_alone_costs_little_more_than_newton() {
+    let reference = reference_work();
     for n in [128, 256] {
         for m in [20.0, 200.0, 1000.0] {
             let mut scene = ball(m, 10.0, n);
             scene.solver.kind = SolverKind::Multigrid;
             let report = converged(&scene).report;
-            // 131 at M = 1000 on 128 cells, 91 at most elsewhere.
-            assert!(report.work.convolutions <= 140.0, "M {m}, {n} cells: {report:?}");
+            // The largest ratio is that of M = 1000 on 128 cells.
+            assert!(report.work.convolutions <= 1.9 * reference, "M {m}, {n} cells: {report:?}, {reference}");
         }
     }
 }
@@ -198,14 +218,16 @@ fn multigrid_alone_needs_few_convolutions() {
 /// A film of 0.4 % of the displacement, unresolved on coarse grids; the converged values are 7.56 nm and 1.90
 /// nm at the minimum.
 #[test]
+#[ignore = "slow"]
 fn very_thin_film_of_the_reference_contact_matches_its_limit() {
+    let reference = reference_work();
     let [coarse, fine] = [256, 512].map(|n| {
         let mut scene = Scene::from_toml(include_str!("../examples/scenes/smooth.toml")).unwrap();
         let GridSpec::Cells { nx, ny, .. } = &mut scene.grid else { panic!("the scene gives its cells") };
         (*nx, *ny) = (n, n);
         let solution = converged(&scene);
         let report = &solution.report;
-        assert!(report.work.convolutions <= 120.0, "{n} cells: {report:?}");
+        assert!(report.work.convolutions <= 1.6 * reference, "{n} cells: {report:?}, {reference}");
         solution.film
     });
     for (coarse, fine, exact, most) in
@@ -239,6 +261,7 @@ fn krylov_steps_are_nearly_independent_of_the_grid() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn meshes_without_a_positive_film_are_reported() {
     for m in [1000.0, 5000.0] {
         for kind in [SolverKind::Auto, SolverKind::Multigrid] {
@@ -270,91 +293,4 @@ fn multigrid_rejects_unsupported_problems() {
     let solution = solve_contact(&rough).unwrap();
     assert_ne!(solution.report.status, Status::Converged);
     assert!(solution.state.pressure.iter().chain(&solution.state.film).all(|v| v.is_finite()));
-}
-
-/// Manufactured pressure, zero at the edge, and film on the square of -1 to 1 in units of `LENGTH`.
-const LENGTH: f64 = 1e-4;
-const PEAK: f64 = 2e8;
-/// Entrainment of the magnitude of pressure flow.
-const SPEED: f64 = 20.0;
-
-fn made_pressure(x: f64, y: f64) -> f64 {
-    let (x, y) = (x / LENGTH, y / LENGTH);
-    PEAK * (1.0 - x * x) * (1.0 - y * y)
-}
-
-fn made_film(x: f64, y: f64) -> f64 {
-    let (x, y) = (x / LENGTH, y / LENGTH);
-    1e-6 * (1.0 + 0.3 * (2.0 * x).sin() + 0.2 * y * y)
-}
-
-/// Largest pressure error of a manufactured solution relative to the peak, on `n` by `n` nodes with the
-/// outermost at the edge. The source term is included in the previous mass of the squeeze term.
-fn manufactured_error(n: usize, scheme: Scheme, face_mobility: FaceMobility) -> f64 {
-    // Ambient pressure at the edge of the box.
-    let step = 2.0 * LENGTH / n as f64;
-    let grid = Grid::centred(n, n, step, step).unwrap();
-    let oil = Lubricant::new(
-        Roelands::from_alpha(0.01, 1e-8, 0.6, 1.96e8).unwrap(),
-        DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
-    );
-    let mass = |x: f64, y: f64| oil.at(made_pressure(x, y)).density * made_film(x, y);
-    // Differences of the exact functions over lengths far below the cells.
-    let tiny = 1e-4 * LENGTH;
-    let flow = |x: f64, y: f64, along: [f64; 2]| {
-        let at = |sign: f64| made_pressure(x + sign * tiny * along[0], y + sign * tiny * along[1]);
-        let viscosity = oil.viscosity().viscosity(made_pressure(x, y));
-        let mobility = mass(x, y) * made_film(x, y).powi(2) / (12.0 * viscosity);
-        mobility * (at(1.0) - at(-1.0)) / (2.0 * tiny)
-    };
-    let divergence = |x: f64, y: f64| {
-        (flow(x + tiny, y, [1.0, 0.0]) - flow(x - tiny, y, [1.0, 0.0]) + flow(x, y + tiny, [0.0, 1.0])
-            - flow(x, y - tiny, [0.0, 1.0]))
-            / (2.0 * tiny)
-    };
-    let entrained = |x: f64, y: f64| SPEED * (mass(x + tiny, y) - mass(x - tiny, y)) / (2.0 * tiny);
-    let time_step = LENGTH / SPEED;
-    let nodes: Vec<(f64, f64)> = grid.nodes().collect();
-    let previous_mass: Vec<f64> =
-        nodes.iter().map(|&(x, y)| mass(x, y) + time_step * (entrained(x, y) - divergence(x, y))).collect();
-    let exact: Vec<f64> = nodes.iter().map(|&(x, y)| made_pressure(x, y).max(0.0)).collect();
-    let mut body = HalfSpace::new(grid, MODULUS).unwrap();
-    let mut displacement = vec![0.0; grid.len()];
-    body.displacement(&exact, &mut displacement).unwrap();
-    let gap: Vec<f64> = nodes.iter().zip(&displacement).map(|(&(x, y), u)| made_film(x, y) - u).collect();
-    let load = exact.iter().sum::<f64>() * grid.cell_area();
-    let mut problem = LubricatedContact::new(&gap, &mut body, load, (LENGTH, LENGTH), PEAK)
-        .with_lubricant(Some(&oil))
-        .with_entrainment_speed(SPEED)
-        .with_squeeze(Some(Squeeze { previous_mass: &previous_mass, time_step }))
-        .with_scheme(scheme)
-        .with_face_mobility(face_mobility)
-        .with_reference_film(1e-6);
-    let mut state = ContactState::new(&grid);
-    state.pressure.copy_from_slice(&exact);
-    state.fluid_pressure.copy_from_slice(&exact);
-    let stop = StoppingRule::new(1e-9, 50);
-    let report = NewtonKrylov::new().solve(&mut problem, &mut state, &stop).unwrap();
-    assert_eq!(report.status, Status::Converged, "{n} nodes: {report:?}");
-    let inner = |k: usize| (1..n - 1).contains(&(k % n)) && (1..n - 1).contains(&(k / n));
-    let errors = (0..grid.len()).filter(|k| inner(*k)).map(|k| (state.pressure[k] - exact[k]).abs());
-    errors.fold(0.0, f64::max) / PEAK
-}
-
-#[test]
-fn manufactured_solutions_converge_at_the_order_of_the_scheme() {
-    for face_mobility in
-        [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge, FaceMobility::Inlet]
-    {
-        for (scheme, least, most) in
-            [(Scheme::FirstOrder, 0.85, 1.5), (Scheme::SecondOrder, 1.8, 2.3), (Scheme::Limited, 1.8, 2.3)]
-        {
-            let errors = [32, 64, 128].map(|n| manufactured_error(n, scheme, face_mobility));
-            let order = (errors[1] / errors[2]).log2();
-            assert!(
-                order > least && order < most,
-                "{scheme:?}, {face_mobility:?}: order {order}, {errors:?}"
-            );
-        }
-    }
 }

@@ -1,4 +1,4 @@
-//! Random surfaces against what was asked for.
+//! Parameters of random surfaces against the requested ones.
 
 use approx::assert_relative_eq;
 use stribeck::metrics::{AreaCorrelation, BearingCurve, height_statistics, radial_spectrum};
@@ -40,6 +40,7 @@ fn gaussian_surfaces_have_the_parameters_of_the_normal_distribution() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn skewness_and_kurtosis_are_met_by_the_mean_over_seeds() {
     let grid = Grid::centred(512, 512, 1e-6, 1e-6).unwrap();
     let cases = [
@@ -96,7 +97,7 @@ fn self_affine(hurst: f64, synthesis: Synthesis) -> SelfAffine {
 }
 
 #[test]
-fn self_affine_spectra_roll_off_fall_and_end_where_asked_for() {
+fn self_affine_spectra_have_the_requested_cutoffs_and_slope() {
     let grid = Grid::centred(512, 512, 1e-6, 1e-6).unwrap();
     for (hurst, synthesis) in
         [(0.8, Synthesis::RandomPhase), (0.8, Synthesis::FilteredNoise), (0.3, Synthesis::RandomPhase)]
@@ -143,7 +144,7 @@ fn self_affine_spectra_roll_off_fall_and_end_where_asked_for() {
 }
 
 #[test]
-fn ensemble_heights_scatter_about_the_one_asked_for() {
+fn ensemble_heights_scatter_about_the_requested_rq() {
     let grid = Grid::centred(64, 64, 1e-6, 1e-6).unwrap();
     let johnson = HeightDistribution::Johnson { skewness: -0.5, kurtosis: 4.0 };
     for distribution in [HeightDistribution::Normal, johnson] {

@@ -34,7 +34,7 @@ struct PocketSlider {
     speed: f64,
 }
 
-/// What is known of it: pressures at the ends of the pocket, load, place of reformation, flow.
+/// Published values: pressures at the ends of the pocket, load, place of reformation, flow.
 #[derive(Debug)]
 struct Exact {
     pressures: [f64; 2],

@@ -141,7 +141,7 @@ fn dry_line_contact_is_hertz() {
 }
 
 /// The formulas are met by an incompressible lubricant. A compressible one is thinner in the centre by about
-/// its density there, by 10 to 17 % here; the minimum film, where the pressure is low, hardly knows.
+/// its density there, by 10 to 17 % here; the minimum film, where the pressure is low, hardly changes.
 #[test]
 fn central_film_is_that_of_the_formulas() {
     for (p_max, speed) in [(0.4e9, 1.0), (0.8e9, 1.0), (0.8e9, 5.0), (1.0e9, 2.0), (1.2e9, 0.5)] {

@@ -1,4 +1,4 @@
-//! Mistakes that people make with scenes and calls: each ends with an error or a warning that names what is
+//! Mistakes that people make with scenes and calls: each ends with an error or a warning that names the
 //! wrong. None panics, hangs or converges in silence.
 
 use std::path::Path;
@@ -45,7 +45,7 @@ max_iterations = 40
 film_cutoff = 1e-9
 "#;
 
-/// What a mistake ends with: all warnings, and the error or the end of the solve.
+/// The outcome of a mistake: all warnings, and the error or the end of the solve.
 fn end_of(text: &str) -> String {
     let scene = match Scene::from_toml(text) {
         Ok(scene) => scene,
@@ -78,7 +78,7 @@ fn the_scene_without_mistakes_has_no_warning() {
     assert_eq!(end_of(GOOD), "");
 }
 
-/// A line of the scene, what a mistake makes of it, and what must be said.
+/// A line of the scene, the mistaken line, and words of the message.
 const MISTAKES: [(&str, &str, &[&str]); 55] = [
     // Units.
     ("radius = 9.525e-3", "radius = 9.525", &["form.radius = 9.525", "did you mean 9.525 mm = 0.009525 m?"]),
@@ -256,7 +256,7 @@ fn assert_refused_by_both(name: &str, scene: &Scene) -> Option<String> {
 }
 
 #[test]
-fn what_a_solve_refuses_a_check_refuses() {
+fn check_rejects_every_scene_that_solve_rejects() {
     let mut refused = 0;
     for (from, to, _) in MISTAKES {
         if let Ok(scene) = Scene::from_toml(&GOOD.replacen(from, to, 1)) {
@@ -264,7 +264,7 @@ fn what_a_solve_refuses_a_check_refuses() {
         }
     }
     assert!(refused >= 15, "{refused}");
-    // What solvers are not made for, what needs a law that is not there, and meshes that do not fit.
+    // Problems outside of the scope of a solver, missing laws, and meshes that do not fit.
     let oil = "[lubricant]\neta0 = 0.004\nroelands_z = 0.68\n";
     let kind = |kind: &str| GOOD.replacen("[solver]", &format!("[solver]\nkind = \"{kind}\""), 1);
     let estimate = GOOD.replacen("[solver]", "[solver]\nestimate = true", 1);
@@ -297,9 +297,9 @@ fn what_a_solve_refuses_a_check_refuses() {
     }
 }
 
-/// A history is refused by its check with the error of what it would come to.
+/// The check of a history returns the error of its first step.
 #[test]
-fn what_a_history_refuses_its_check_refuses() {
+fn check_rejects_every_scene_that_a_history_rejects() {
     let mut refused = 0;
     for (from, to, _) in MISTAKES {
         let Ok(scene) = Scene::from_toml(&GOOD.replacen(from, to, 1)) else { continue };
@@ -315,12 +315,12 @@ fn what_a_history_refuses_its_check_refuses() {
         refused += 1;
     }
     assert!(refused >= 15, "{refused}");
-    // What the solver of the first step is not made for.
+    // Outside of the scope of the solver of the first step.
     let paper = GOOD.replacen("[solver]", "[solver]\nkind = \"newton_krylov\"\ncontact = \"paper\"", 1);
     let builder = || MixedLubricationSim::builder(Scene::from_toml(&paper).unwrap());
     let check = builder().check().unwrap_err().to_string();
     assert_eq!(check, builder().build().unwrap().step(1.0).unwrap_err().to_string());
-    // What a history alone refuses.
+    // Rejected by histories only.
     let mut scene = Scene::from_toml(GOOD).unwrap();
     scene.track.radius_ball = Some(1e-6);
     let builder = || MixedLubricationSim::builder(scene.clone());

@@ -49,6 +49,7 @@ fn solve_soundly(scene: &Scene, name: &str) -> ContactSolution {
 }
 
 #[test]
+#[ignore = "slow"]
 fn scenes_all_over_the_map_converge() {
     for (n, speed, rq, length, pressure, hardness) in [
         (64, 10.0, 20e-9, 10e-6, 0.5e9, None),
@@ -91,9 +92,19 @@ fn solids_touch_on_the_outermost_nodes_too() {
     }
 }
 
-/// On 512 x 512 nodes cells are so small that films some nanometres off take gigapascals to mend: what a
-/// start from bodies that are not yet parted costs a thousand convolutions there.
+/// Convolutions of the dry contact of the same surfaces, to which the tests below compare the work in oil.
+fn dry_work(scene: &Scene) -> f64 {
+    let mut dry = scene.clone();
+    (dry.lubricant, dry.solver.tolerance) = (None, 1e-8);
+    let report = solve_contact(&dry).unwrap().report;
+    assert_eq!(report.status, Status::Converged, "{report:?}");
+    report.work.convolutions
+}
+
+/// On 512 x 512 nodes cells are so small that an error of a film of some nanometres takes gigapascals to correct. A
+/// start from bodies in contact costs a thousand convolutions there.
 #[test]
+#[ignore = "slow"]
 fn the_rough_reference_contact_is_found_on_every_mesh() {
     let work = |n: usize, cavitation, mobility| {
         let mut scene = Scene::azam_2019(n);
@@ -102,20 +113,21 @@ fn the_rough_reference_contact_is_found_on_every_mesh() {
     };
     let full = |n| work(n, Cavitation::Reynolds, FaceMobility::Wedge);
     let [coarse, fine] = [full(64), full(512)];
-    // Where mass is conserved gaps drain one after the other: 165 and 298 convolutions were measured.
-    for (n, most) in [(64, 220.0), (128, 380.0)] {
+    let reference = dry_work(&Scene::azam_2019(64));
+    // Where mass is conserved gaps drain one after the other.
+    for (n, most) in [(64, 8.0 * reference), (128, 14.0 * reference)] {
         let work = work(n, Cavitation::MassConserving, FaceMobility::Inlet);
         assert!(work.convolutions <= most, "{n} cells: {work:?}");
     }
-    // With Reynolds' condition 187 and 300 convolutions, 3.1 and 3.4 Krylov steps a Newton step.
     let per_step = |work: Work| work.inner_iterations as f64 / work.iterations as f64;
-    assert!(coarse.convolutions <= 230.0 && fine.convolutions <= 350.0, "{coarse:?}, {fine:?}");
-    assert!(per_step(coarse) < 3.5 && per_step(fine) < 3.5, "{coarse:?}, {fine:?}");
+    assert!(coarse.convolutions <= 8.0 * reference, "{coarse:?}, {reference}");
+    assert!(fine.convolutions <= 1.9 * coarse.convolutions, "{coarse:?}, {fine:?}");
+    assert!(per_step(fine) < 1.15 * per_step(coarse), "{coarse:?}, {fine:?}");
 }
 
 /// A Newton step leaves touching solids some nanometres off the contact film. Fluid flow through those films
-/// would drain the isolated regions that they enclose, and the contacts would take 757 to 4914 convolutions;
-/// measured: 82 to 114.
+/// would drain the isolated regions that they enclose, and the contacts would take ten to fifty times as many
+/// convolutions.
 #[test]
 fn boundary_of_isolated_region_converges() {
     for (speed, rq, length, pressure) in
@@ -123,17 +135,18 @@ fn boundary_of_isolated_region_converges() {
     {
         let scene = scene(64, speed, rq, length, pressure, None);
         let report = solve_soundly(&scene, &format!("{speed} m/s, {rq} m")).report;
-        assert!(report.work.convolutions <= 250.0, "{report:?}");
+        assert!(report.work.convolutions <= 9.0 * dry_work(&scene), "{report:?}");
     }
 }
 
 /// A region of one node may switch between cavitation and fluid in every step, an endless cycle without a
-/// safeguard. Of sixteen such contacts fifteen take 24 to 76 Newton steps and one, by continuation from thicker
-/// contact films, 484. Single counts depend on rounding.
+/// safeguard. Of sixteen such contacts one takes more than twice the median number of Newton steps, by continuation
+/// from thicker contact films. Single counts depend on rounding.
 #[test]
+#[ignore = "slow"]
 fn isolated_regions_do_not_cycle() {
     let steps = |scene: &Scene| solve_soundly(scene, "pockets").report.work.iterations;
-    let mut slow = 0;
+    let (mut of_default, mut all) = (Vec::new(), Vec::new());
     for seed in (1..16).step_by(2) {
         let mut rough = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
         rough.roughness.ball = random(300e-9, 10e-6, seed);
@@ -142,11 +155,13 @@ fn isolated_regions_do_not_cycle() {
         simple.solver.scheme = Some(Scheme::FirstOrder);
         simple.solver.face_mobility = Some(FaceMobility::ReducedPressure);
         simple.solver.cavitation = Some(Cavitation::Reynolds);
-        let of_default = steps(&rough);
-        assert!(of_default <= 240, "seed {seed}: {of_default}");
-        slow += [of_default, steps(&simple)].iter().filter(|steps| **steps > 110).count();
+        of_default.push(steps(&rough));
+        all.extend([of_default[of_default.len() - 1], steps(&simple)]);
     }
-    assert!(slow <= 1, "{slow}");
+    all.sort_unstable();
+    let median = all[all.len() / 2];
+    assert!(of_default.iter().all(|steps| *steps <= 6 * median), "{of_default:?}");
+    assert!(all.iter().filter(|steps| **steps > 3 * median).count() <= 1, "{all:?}");
 }
 
 /// The plastic depth of fluid at the limit does not follow from the pressures: a start keeps it.
@@ -185,9 +200,10 @@ fn a_solution_with_fluid_at_the_limit_is_one() {
     assert_eq!((report.status, report.work.iterations), (Status::Converged, 0), "{report:?}");
 }
 
-/// From the dry contact these stall with every kind of attempt, the last two on every way over other speeds
-/// too: the way leads through time.
+/// From the dry contact these stall with every kind of attempt, the last two also by continuation over other speeds;
+/// pseudo-time steps reach them.
 #[test]
+#[ignore = "slow"]
 fn contacts_that_stall_from_the_dry_one_are_reached() {
     for (seed, hardness) in [(1, None), (1, Some(6e9)), (2, None), (6, None)] {
         let mut scene = scene(64, 0.01, 0.0, 10e-6, 2e9, hardness);
@@ -229,6 +245,7 @@ fn both_contacts_are_the_same_film_where_nothing_touches() {
 
 /// Nodes at the limit are pinned in the sweeps: beside clipped ones no balance would hold.
 #[test]
+#[ignore = "slow"]
 fn the_papers_contact_converges_with_nodes_at_the_limit() {
     let mut scene = Scene::azam_2019(64);
     scene.motion.entrainment_speed = 1.0;
@@ -240,10 +257,10 @@ fn the_papers_contact_converges_with_nodes_at_the_limit() {
     assert!(solution.state.plastic_depth.iter().any(|depth| *depth > 1e-9));
 }
 
-/// What the paper's contact does where asperities touch is pinned as it is: films settle at negative gaps
-/// long before the balances do, and nodes at the limit yield. The stiffness of the sweeps plays no part in
-/// it.
+/// Values of the published contact model where asperities touch: films settle at negative gaps long before the balances
+/// do, and nodes at the limit yield. The stiffness of the sweeps does not affect them.
 #[test]
+#[ignore = "slow"]
 fn the_papers_contact_lets_gaps_become_negative() {
     let mut scene = Scene::azam_2019(64);
     scene.solver.contact = ContactDefinition::UnifiedReynolds;

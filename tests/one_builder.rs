@@ -1,6 +1,6 @@
 //! Single contacts and histories through one builder: the same parts for both, interrupts, laws on whole
 //! fields, failed steps.
-#![expect(clippy::float_cmp, reason = "what is the same is the same to the last bit")]
+#![expect(clippy::float_cmp, reason = "equal results are equal to the last bit")]
 
 use std::fmt;
 use std::sync::Arc;
@@ -87,7 +87,7 @@ fn single_contacts_take_the_parts_of_histories() {
 }
 
 #[test]
-fn a_history_begins_where_it_is_told_to() {
+fn history_starts_from_the_given_contact() {
     let scene = scene();
     let builder = || MixedLubricationSim::builder(scene.clone()).motion(Fixed);
     let start = builder().solve().unwrap().state;
@@ -124,7 +124,7 @@ fn a_single_contact_of_several_meshes_takes_no_own_parts() {
 }
 
 #[test]
-fn every_solver_heeds_an_interrupt() {
+fn every_solver_stops_at_an_interrupt() {
     let mut smooth = scene();
     smooth.roughness = RoughnessPair { ball: Roughness::None, disc: Roughness::None };
     smooth.motion.entrainment_speed = 5.0;
@@ -158,7 +158,7 @@ fn every_solver_heeds_an_interrupt() {
 }
 
 #[test]
-fn a_refinement_heeds_an_interrupt() {
+fn refinement_stops_at_an_interrupt() {
     let mut scene = scene();
     scene.solver.estimate = true;
     let solved = MixedLubricationSim::builder(scene).interrupt(|| true).solve();

@@ -51,7 +51,7 @@ fn polynomials_up_to_their_degree_vanish() {
 }
 
 #[test]
-fn what_is_removed_is_orthogonal_to_what_is_left() {
+fn removed_form_is_orthogonal_to_the_remaining_heights() {
     let rough = |x: f64, y: f64| 1e-7 * ((x / 3e-6).sin() + (y / 5e-6).cos()) + 2e-3 * x;
     let mut left = with_holes(&surface(50, 31, rough), 11);
     left.remove_polynomial(2).unwrap();
@@ -250,7 +250,7 @@ fn tapered_edges_fit_together() {
 }
 
 #[test]
-fn heights_are_scaled_to_what_is_asked_for() {
+fn heights_are_scaled_to_the_requested_parameter() {
     let mut whole = with_holes(&surface(30, 20, |x, y| 1.0 + 1e-3 * (x / 3e-6).sin() + y), 4);
     whole.set_rq(77e-9).unwrap();
     let mask = whole.defined().unwrap();
@@ -299,7 +299,7 @@ fn resolved_waves_survive_fourier_resampling() {
 // ---------------------------------------------------------------- textures
 
 #[test]
-fn dimples_are_where_and_as_deep_as_asked_for() {
+fn dimples_have_the_requested_places_and_depths() {
     let grid = Grid::from_edges(240, 160, [-1e-4, 2e-4], [0.0, 2e-4]).unwrap();
     let dimples = |layout, pitch| Texture::Dimples { radius: 20e-6, depth: 2e-6, pitch, layout };
     let share = PI * 0.16;
@@ -329,7 +329,7 @@ fn dimples_are_where_and_as_deep_as_asked_for() {
 }
 
 #[test]
-fn grooves_run_as_asked_for() {
+fn grooves_have_the_requested_direction() {
     let grid = Grid::centred(120, 120, 1e-6, 1e-6).unwrap();
     let grooves = |direction| Texture::Grooves { width: 12e-6, depth: 1e-6, pitch: 30e-6, direction };
     let along_x = grooves(GrooveDirection::AlongX).generate(&grid).unwrap();

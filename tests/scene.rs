@@ -12,7 +12,7 @@ use stribeck::wear::WearPressure;
 
 use crate::common::scene_text::{assert_names, dry};
 
-/// What a scene file is, and the tables in the order of the pages.
+/// The page about scene files, and the tables in the order of the pages.
 const FIRST_PAGE: &str = include_str!("../docs/scene.md");
 const TABLES: [&str; 6] = [
     include_str!("../docs/cycles.md"),

@@ -1,4 +1,4 @@
-//! What a scene file names by a tag: laws, kinds of roughness, forms.
+//! Tagged tables of scene files: laws, kinds of roughness, forms.
 #![expect(clippy::panic, reason = "tests")]
 
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -31,7 +31,7 @@ const LAWS: [&str; 6] = [
     "[lubricant.viscosity]\nlaw = \"barus\"\neta0 = \"4 mPa s\"\nalpha = \"15 1/GPa\"",
 ];
 
-/// What the laws of the file come to: those of the crate with the same constants.
+/// The laws of the file are those of the crate with the same constants.
 #[test]
 fn laws_are_taken_by_name() {
     let scenes: Vec<Scene> = LAWS.iter().map(|table| Scene::from_toml(&dry(table)).unwrap()).collect();
@@ -98,7 +98,7 @@ fn laws_name_what_does_not_fit() {
 }
 
 const DISC: &str = "[roughness.disc]\n";
-/// The keys of a generated disc and what they come to.
+/// The keys of a generated disc and the heights they give.
 fn generated() -> [(&'static str, Roughness); 6] {
     let shape = RandomShape::SelfAffine(SelfAffine {
         hurst: 0.8,
@@ -187,7 +187,7 @@ fn generated_surfaces_are_taken_by_name() {
         assert!(sim.bodies()[1].initial() == heights, "{keys}");
         assert!(sim.bodies()[1].initial().iter().any(|height| *height != 0.0), "{keys}");
     }
-    // What is stated as it is by default is the default.
+    // A stated default is the default.
     let plain = "kind = \"gaussian\"\nrq = 5e-8\nlength_x = 4e-5\nlength_y = 6e-5\nheight = \"exact\"\nboundary = \"periodic\"\n";
     let scene = Scene::from_toml(&dry(&format!("{DISC}{plain}"))).unwrap();
     let shape = RandomShape::Correlated {
@@ -294,7 +294,7 @@ fn film_turns_with_the_ellipse() {
         (row / mirrored - 1.0).abs()
     };
     assert!(lopsided(&left) > 0.02 && lopsided(&solved(&upright)) < 1e-4);
-    // What the turn does to the film is what it does to the formula.
+    // The turn changes the film as it changes the formula.
     let formula = turned([1e-2, 2e-2], 0.6, true).formula_film().unwrap().unwrap().central;
     let (ratio, expected) = (left.film.central / films[0], formula / formulas[0]);
     assert!((ratio / expected - 1.0).abs() < 0.03, "{ratio} {expected}");

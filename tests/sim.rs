@@ -1,4 +1,4 @@
-//! The simulation: its account, its laws, its observer, and what it refuses.
+//! The simulation: its account, its laws, its observer, and its errors.
 
 #![expect(clippy::float_cmp, reason = "equal histories are equal to the last bit")]
 
@@ -184,7 +184,7 @@ fn stumbling() -> Altered {
     })
 }
 
-/// Says that it has solved what it has not: its pressures carry nine tenths of the load.
+/// Reports convergence falsely: its pressures carry nine tenths of the load.
 fn falsely_converging() -> Altered {
     Altered::by(|_, state, _| {
         state.pressure.iter_mut().chain(&mut state.fluid_pressure).for_each(|p| *p *= 0.9);
@@ -256,7 +256,7 @@ fn laws_of_the_user_take_the_place_of_the_scene() {
     let mut usual = MixedLubricationSim::builder(scene()).build().unwrap();
     let (own, usual) = (&run(&mut own, 1, 10.0)[0], &run(&mut usual, 1, 10.0)[0]);
     assert!(own.wear.disc_mean < 0.02 * usual.wear.disc_mean);
-    // The contact of the first step knows nothing of wear.
+    // The contact of the first step does not depend on wear.
     assert_eq!(own.pressure.max, usual.pressure.max);
 }
 

@@ -12,7 +12,7 @@ use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
 use stribeck::{Grid, Status};
 
-/// Half-width of the contact \[m\] and what is asked of a smooth ball that touches at (x, y) of a box of 2.8
+/// Half-width of the contact \[m\] and scene of a smooth ball that touches at (x, y) of a box of 2.8
 /// half-widths around it.
 fn with_ball<T>(
     cells: usize,
@@ -109,7 +109,7 @@ fn a_distant_centre_is_no_spin() {
 }
 
 #[test]
-fn what_flows_in_flows_out() {
+fn inflow_equals_outflow_with_spin() {
     for radius in [0.3e-3, -0.5e-3] {
         let mut scene = rough(Some(radius));
         let conserved = solved(&scene);
@@ -146,7 +146,7 @@ fn solvers_agree_or_say_that_they_do_not_know_spin() {
 }
 
 #[test]
-fn what_knows_no_spin_refuses_it() {
+fn spin_is_rejected_where_it_is_not_modelled() {
     let refusal = |change: &dyn Fn(&mut Scene)| {
         let mut scene = rough(Some(0.4e-3));
         change(&mut scene);

@@ -1,4 +1,4 @@
-//! What is no file of a known size is refused at once, whoever reads it: a pipe would be waited for, a device has no end.
+//! Every reader rejects pipes and devices at once: a pipe may block, a device has no end.
 #![cfg(unix)]
 
 use std::path::Path;
@@ -9,7 +9,7 @@ use stribeck::sim::{BodyStart, MixedLubricationSim, RunFolder, Scene, Schedule, 
 use stribeck::surface;
 use stribeck::tribochem::GrowthCurve;
 
-/// What each reader says of `path`.
+/// The message of each reader about `path`.
 fn refusals(path: &Path) -> Vec<String> {
     let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build().unwrap();
     let mut scheduled = Scene::azam_2019(16);

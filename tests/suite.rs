@@ -41,6 +41,7 @@ mod layered_waves;
 mod layers;
 mod left_out;
 mod line;
+mod manufactured;
 mod measured_disc;
 mod metrics;
 mod mistakes;

@@ -50,7 +50,7 @@ fn correlation(heights: &[f64], grid: &Grid, di: usize, dj: usize) -> f64 {
 }
 
 #[test]
-fn generated_surfaces_have_the_autocorrelation_asked_for() {
+fn generated_surfaces_have_the_requested_autocorrelation() {
     let grid = Grid::centred(512, 480, 1e-6, 1e-6).unwrap();
     for (kind, middle) in
         [(Autocorrelation::Gaussian, 10f64.powf(-0.25)), (Autocorrelation::Exponential, 10f64.powf(-0.5))]

@@ -1,4 +1,4 @@
-//! What a history must not depend on: the box, the length of its steps, where on the track the contact is
+//! Histories do not depend on the box, the length of its steps, where on the track the contact is
 //! met.
 #![expect(clippy::float_cmp, reason = "tests")]
 
@@ -109,7 +109,7 @@ fn on_a_track_a_point_ages_while_the_contact_passes() {
     }
 }
 
-/// At a slide-roll ratio of 2 the disc stands still: what lies in the contact stays there and ages by the
+/// At a slide-roll ratio of 2 the disc stands still: its nodes in the contact stay there and age by the
 /// time of the test.
 #[test]
 fn a_body_that_does_not_move_stays_in_the_contact() {
@@ -136,7 +136,7 @@ fn a_body_that_does_not_move_stays_in_the_contact() {
     }
 }
 
-/// Nor does it pass by where the roughness is met at random: what lies in the contact is flattened.
+/// The same holds for random positions of the roughness: nodes in the contact are flattened.
 #[test]
 fn a_body_that_does_not_move_is_flattened_where_it_lies() {
     let mut scene = rough(32, 32);
@@ -218,7 +218,7 @@ fn tracks_are_checked_under_the_whole_schedule() {
     );
 }
 
-/// Offsets that are no numbers from the second solve on.
+/// NaN offsets from the second solve on.
 #[derive(Debug)]
 struct Lost;
 

@@ -48,7 +48,7 @@ fn waves_under_a_ball_are_flattened_by_the_master_curve() {
     });
 }
 
-/// A dent on a surface at half the entrainment speed: what it does to the film at the inlet travels ahead of
+/// A dent on a surface at half the entrainment speed: the change of the film at the inlet travels ahead of
 /// it, at the entrainment speed, while the dent itself is pressed nearly flat.
 #[test]
 fn the_film_that_a_dent_lets_in_runs_ahead_of_it() {

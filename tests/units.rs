@@ -103,7 +103,7 @@ fn every_unit_that_is_offered_is_taken() {
 }
 
 #[test]
-fn what_is_no_quantity_is_refused_by_field_value_and_remedy() {
+fn invalid_quantities_are_rejected_by_field_value_and_remedy() {
     for (text, part) in [
         ("9.5 kg", "`kg` is no unit of length; m, cm, mm, um, nm or in would do"),
         ("9.5 MM", "`MM` is no unit of length"),
@@ -194,7 +194,7 @@ fn schedules_and_line_loads_have_units_too() {
 /// Every key of the documentation that has a unit is known to have one.
 #[test]
 fn every_documented_key_with_a_unit_takes_one() {
-    // Differences of temperature and what is per kelvin.
+    // Temperature differences and values per kelvin.
     const NUMBERS: [&str; 6] = ["epsilon", "beta", "expansion", "expansivity", "a1", "c2"];
     let document = [
         include_str!("../docs/scene_contact.md"),

@@ -20,14 +20,14 @@ ROOT = Path(__file__).resolve().parents[2]
 SCENES = ROOT / "examples" / "scenes"
 
 
-# Programs that `cargo build --release --examples` and `cargo build --release -p stribeck-cli` have built.
+# Programs that `cargo build --release --examples`, and with `-p stribeck-cli` and `-p studies --bins`, has built.
 PROGRAMS = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release"
 
 
 def run_program(program: Path, *arguments: str) -> str:
     """Standard output of a program."""
     if not program.with_suffix(".exe" if os.name == "nt" else "").exists():
-        build = "-p stribeck-cli" if program.name == "stribeck" else "--examples"
+        build = "--examples" if program.parent.name == "examples" else "-p stribeck-cli -p studies --bins"
         pytest.fail(f"{program} is missing: `cargo build --release {build}` builds it")
     return subprocess.run([program, *arguments], cwd=ROOT, check=True, capture_output=True, text=True).stdout
 
@@ -35,6 +35,11 @@ def run_program(program: Path, *arguments: str) -> str:
 def run_example(name: str, *arguments: str) -> str:
     """Standard output of an example of the crate."""
     return run_program(PROGRAMS / "examples" / name, *arguments)
+
+
+def run_study(name: str, *arguments: str) -> str:
+    """Standard output of a study."""
+    return run_program(PROGRAMS / name, *arguments)
 
 
 def run_command(*arguments: str) -> Any:

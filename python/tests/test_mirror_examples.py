@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT, SCENES, run_example
+from conftest import ROOT, SCENES, run_example, run_study
 
 import stribeck
 from stribeck.elastic import HalfSpace
@@ -61,7 +61,7 @@ def test_a_slider_with_a_pocket_is_that_of_its_example() -> None:
 
 
 def thermal_scene(speed: float, ratio: float) -> stribeck.Scene:
-    """The scene of the example `thermal_film`."""
+    """The scene of the study `thermal_film`."""
     bulk = 313.15
     scene = stribeck.Scene.azam_2019(32).replace(roughness=None, plastic=None, load={"hertz_pressure": 0.8e9})
     return scene.replace(
@@ -73,8 +73,8 @@ def thermal_scene(speed: float, ratio: float) -> stribeck.Scene:
     )
 
 
-def test_films_with_a_temperature_are_those_of_their_example(tmp_path: Path) -> None:
-    run_example("thermal_film", "--quick", "--out", str(tmp_path))
+def test_films_with_a_temperature_are_those_of_the_study(tmp_path: Path) -> None:
+    run_study("thermal_film", "--quick", "--out", str(tmp_path))
     with (tmp_path / "thermal_film.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 27

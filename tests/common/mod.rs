@@ -1,4 +1,4 @@
-//! What several tests share.
+//! Helpers of several tests.
 
 pub(crate) mod coated;
 pub(crate) mod dense;

@@ -1,4 +1,4 @@
-//! Scenes as text, and the errors of what does not fit.
+//! Scenes as text, and the errors of invalid ones.
 
 use stribeck::sim::{Scene, SimError, solve_contact};
 

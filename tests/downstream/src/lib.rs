@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn a_run_is_stopped_and_goes_on() -> Result<(), Box<dyn Error>> {
+    fn stopped_run_is_resumed() -> Result<(), Box<dyn Error>> {
         let mut scene = Scene::azam_2019(32);
         scene.solver.tolerance = 1e-4;
         // Slow enough for solids to touch over much of the contact.
