@@ -1,5 +1,5 @@
-//! A rough ball on a rough disc without oil: how the real contact area grows with the load, and what yielding
-//! does to it.
+//! A rough ball on a rough disc without oil: how the real contact area grows with the load, and how yielding
+//! increases it.
 #![expect(clippy::print_stdout, reason = "a program that talks to its user")]
 
 use std::error::Error;

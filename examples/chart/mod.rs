@@ -62,13 +62,13 @@ pub(crate) struct Line {
     pub(crate) points: Vec<(f64, f64)>,
 }
 
-/// A pair of axes and what is drawn in it.
+/// A pair of axes with its lines.
 pub(crate) struct Panel {
     pub(crate) y_label: &'static str,
     pub(crate) lines: Vec<Line>,
 }
 
-/// What the numbers of an x axis are.
+/// The kind of numbers of an x axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum XScale {
     /// The values, from zero on.

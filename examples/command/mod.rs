@@ -1,4 +1,4 @@
-//! What examples with options do around their work. Shared by them.
+//! Help, errors and exit codes of examples and studies.
 
 use std::error::Error;
 use std::process::ExitCode;

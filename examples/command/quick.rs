@@ -1,4 +1,4 @@
-//! The options of examples that know a quick run and write files. Shared by them.
+//! The options `--quick` and `--out` of examples and studies.
 
 use std::path::PathBuf;
 

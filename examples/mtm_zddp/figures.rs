@@ -95,7 +95,7 @@ fn legend(pair: Pair<'_>) -> Vec<(Pen, String)> {
     entries.map(|(history, colour)| (Pen::strong(colour), history.title.clone())).collect()
 }
 
-/// The two colours, and what thin and strong lines are.
+/// The two colours, thin and strong lines.
 fn scattered_legend(pair: Pair<'_>) -> Vec<(Pen, String)> {
     let mut legend = legend(pair);
     legend.push((Pen::faint(BLACK), "each step".to_owned()));

@@ -1,4 +1,4 @@
-//! One history: the run and what is left of it.
+//! One history: the run and its results.
 
 use indicatif::ProgressBar;
 use stribeck::InputError;
@@ -8,7 +8,7 @@ use stribeck::sim::{MixedLubricationSim, Observer, RunFolder, SimError, StepCont
 use crate::options::Options;
 use crate::statements::{self, PARTS, bearing_heights, film_profile};
 
-/// What a run leaves behind.
+/// Results of a run.
 pub(crate) struct History {
     /// `with tribofilm` or `without tribofilm`.
     pub(crate) title: String,
@@ -85,10 +85,10 @@ impl History {
         (self.records.len() / 8).clamp(1, 21) | 1
     }
 
-    /// What the paper's statements are asked of: bearing curves at the start and the end alone.
+    /// Input of the paper's statements: bearing curves at the start and the end alone.
     ///
     /// # Errors
-    /// Heights that are no numbers.
+    /// Heights that are not finite.
     pub(crate) fn for_statements(&self) -> Result<statements::History, InputError> {
         let (sim, disc) = (&self.sim, &self.sim.bodies()[1]);
         let curves =

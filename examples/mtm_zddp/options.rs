@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use lexopt::prelude::*;
 
-/// What `--help` prints.
+/// Output of `--help`.
 pub(crate) const USAGE: &str = "\
 Two hours of a rough ball on a rough disc, with and without a ZDDP tribofilm (Azam et al. 2019).
 
@@ -30,7 +30,7 @@ seed2 and so on.
 Exit status: 0 done, 1 a history ended early (its steps are written), 2 wrong option or file.
 ";
 
-/// What the command line asks for.
+/// The options of the command line.
 pub(crate) enum Command {
     /// The usage.
     Help,

@@ -1,4 +1,4 @@
-//! The closing table: the histories at their start and at their end, and what of the paper holds.
+//! The closing table: the histories at their start and at their end, and the statements of the paper that hold.
 
 use std::fmt::Write;
 
@@ -47,7 +47,7 @@ const ROWS: [Row; 18] = [
 /// seeds, and their standard deviation at the end.
 ///
 /// # Errors
-/// Heights that are no numbers.
+/// Heights that are not finite.
 pub(crate) fn closing(pairs: &[[History; 2]]) -> Result<String, InputError> {
     let mut text = String::new();
     // Writing to a string cannot fail.
@@ -83,7 +83,7 @@ pub(crate) fn closing(pairs: &[[History; 2]]) -> Result<String, InputError> {
     Ok(text)
 }
 
-/// What the paper says, and how much of it holds. Histories of less than ten steps, or of which one ended
+/// The statements of the paper, and how many of them hold. Histories of less than ten steps, or of which one ended
 /// early, are not asked.
 fn held(text: &mut String, pairs: &[Pair]) {
     let whole = |pair: &Pair| {

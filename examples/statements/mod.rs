@@ -1,4 +1,4 @@
-//! What Azam et al. (2019) say, as questions to a pair of histories at each tenth of the run. Shared by the
+//! Statements of Azam et al. (2019), as tests of a pair of histories at each tenth of the run. Shared by the
 //! examples.
 
 use std::collections::BTreeMap;
@@ -13,7 +13,7 @@ pub(crate) const PARTS: usize = 10;
 /// Intervals of a bearing curve.
 pub(crate) const BEARING_INTERVALS: usize = 200;
 
-/// What a history leaves.
+/// Results of a history.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct History {
     pub(crate) records: Vec<StepRecord>,
@@ -47,7 +47,7 @@ impl History {
 /// Heights of a bearing curve of the track \[m\].
 ///
 /// # Errors
-/// Heights of another grid, or that are no numbers.
+/// Heights of another grid, or that are not finite.
 pub(crate) fn bearing_heights(sim: &MixedLubricationSim, heights: &[f64]) -> Result<Vec<f64>, InputError> {
     let curve = BearingCurve::new(&sim.track_roughness(heights)?)?;
     Ok((0..=BEARING_INTERVALS).map(|k| curve.height_at(k as f64 / BEARING_INTERVALS as f64)).collect())
@@ -78,7 +78,7 @@ pub(crate) fn share(statement: &Statement, pairs: &[Pair]) -> Option<f64> {
 /// A number of a step.
 pub(crate) type Value = fn(&StepRecord) -> f64;
 
-/// A statement of the paper: what it says at the end of a tenth of the run, from 1 to 10, and of which
+/// A statement of the paper: its value at the end of a tenth of the run, from 1 to 10, and of which
 /// tenths.
 pub(crate) struct Statement {
     pub(crate) text: &'static str,
@@ -123,7 +123,7 @@ const fn curves(text: &'static str, holds: fn(&Pair, usize) -> bool) -> Statemen
     Statement { text, parts: 1..=PARTS, curves: true, holds }
 }
 
-/// A statement of what changes from the tenth before, or from the first.
+/// A statement about a change from the tenth before, or from the first.
 const fn change(text: &'static str, holds: fn(&Pair, usize) -> bool) -> Statement {
     Statement { text, parts: 2..=PARTS, curves: false, holds }
 }

@@ -8,7 +8,7 @@ use std::path::Path;
 use stribeck::benchmark::{Case, HeightsOnGrid, Quantity, Results, Row};
 use stribeck::sim::Scene;
 use stribeck::sim::scene::InletSpec;
-use stribeck::surface::{Autocorrelation, Heights, RoughnessSpec, generate};
+use stribeck::surface::{Autocorrelation, RoughnessSpec};
 
 use crate::figure::{Curve, Panel, Points, draw};
 use crate::{QUANTITIES, solve};
@@ -55,19 +55,14 @@ fn case(cutoff: f64, surface: usize) -> Result<Case, Box<dyn Error>> {
     scene.solver.film_cutoff = 1e-9 * cutoff;
     scene.solver.edge_contact = true;
     scene.roughness = Default::default();
-    let coarse = scene.grid()?;
-    let heights = HeightsOnGrid::new(move |grid| {
-        let of = |rq: f64, seed: u64| {
-            let autocorrelation = Autocorrelation::Gaussian;
-            let spec = RoughnessSpec { autocorrelation, rq, length_x: 10e-6, length_y: 10e-6, seed };
-            let spacing = Some([coarse.dx(), coarse.dy()]);
-            let heights = Heights::new(coarse.nx(), coarse.ny(), spacing, generate(&coarse, &spec)?, None)?;
-            Ok::<_, stribeck::sim::SimError>(
-                heights.resample_fourier(grid.nx(), grid.ny())?.heights().to_vec(),
-            )
-        };
-        Ok([of(20e-9, 1)?, of(130e-9, 2)?])
+    let surfaces = [(20e-9, 1), (130e-9, 2)].map(|(rq, seed)| RoughnessSpec {
+        autocorrelation: Autocorrelation::Gaussian,
+        rq,
+        length_x: 10e-6,
+        length_y: 10e-6,
+        seed,
     });
+    let heights = HeightsOnGrid::by_fourier_series(scene.grid()?, surfaces);
     Ok(Case::new(format!("film cut-off {cutoff} nm"), scene)
         .with_parameters(vec![("film_cutoff".to_owned(), cutoff)])
         .with_heights(Some(heights)))

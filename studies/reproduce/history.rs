@@ -1,4 +1,4 @@
-//! One history: its run, what it leaves in its folder, and reading that back.
+//! One history: its run, its folder, and reading that back.
 
 use std::fs;
 use std::ops::ControlFlow;
@@ -73,7 +73,7 @@ pub(crate) fn run(run: &Run, options: &Options) -> Result<String, String> {
     let left = run.case.steps.saturating_sub(sim.steps());
     let failure = match sim.run(left, run.time_step, &mut writer) {
         Ok(RunEnd::Finished) => None,
-        // Where the folder stopped the run its own error is told below.
+        // Where the folder stopped the run its own error follows below.
         Ok(RunEnd::Stopped) => writer.failure,
         Err(error) => Some(error.to_string()),
     };

@@ -5,7 +5,7 @@
 //! ```text
 //! cargo run --release -p studies --bin reproduce                                   # all variants: hours
 //! cargo run --release -p studies --bin reproduce -- --case default --seeds 2       # one variant
-//! cargo run --release -p studies --bin reproduce -- --tables                       # tables of what is complete
+//! cargo run --release -p studies --bin reproduce -- --tables                       # tables of complete variants
 //! cargo run --release -p studies --bin reproduce -- --quick --out target/quick --report target/quick
 //! cargo run --release -p studies --bin reproduce -- --help
 //! ```

@@ -6,7 +6,7 @@ use lexopt::prelude::*;
 
 use crate::cases::CASES;
 
-/// What `--help` prints.
+/// Output of `--help`.
 pub(crate) const USAGE: &str = "\
 The experiment of Azam et al. (2019) with and without tribofilm: which of the paper's statements hold, and which of them survive
 other seeds, meshes, steps, boxes and contact films.
@@ -25,7 +25,7 @@ usage: cargo run --release -p studies --bin reproduce -- [options]
 A run that was stopped goes on where it was; histories that have ended in --out are not run again.
 ";
 
-/// What the command line asks for.
+/// The options of the command line.
 pub(crate) enum Command {
     /// The usage.
     Help,

@@ -17,7 +17,7 @@ pub(crate) struct Results {
     pub(crate) pairs: Vec<Pair>,
 }
 
-/// Reads what is complete, in the order of `cases`; variants without a pair are left out.
+/// Reads complete variants, in the order of `cases`; variants without a pair are left out.
 pub(crate) fn gather(runs: &[Run], options: &Options) -> Result<Vec<Results>, String> {
     let mut all: Vec<Results> = Vec::new();
     for run in runs.iter().filter(|run| run.film) {
@@ -46,7 +46,7 @@ impl Results {
         answers.collect::<Option<Vec<bool>>>().map(|yes| yes.into_iter().filter(|yes| *yes).count())
     }
 
-    /// Mean over the seeds and sample standard deviation; no number for one seed.
+    /// Mean over the seeds and sample standard deviation; NaN for one seed.
     fn spread(&self, value: impl Fn(&Pair) -> f64) -> (f64, f64) {
         let n = self.pairs.len() as f64;
         let mean = self.pairs.iter().map(&value).sum::<f64>() / n;
@@ -187,7 +187,7 @@ fn histories(all: &[Results]) -> String {
     text
 }
 
-/// Three tables in Markdown, one column a variant: what was run, shares of seeds and tenths that agree,
+/// Three tables in Markdown, one column a variant: its runs, shares of seeds and tenths that agree,
 /// numbers of the last tenth.
 pub(crate) fn summary(all: &[Results]) -> String {
     let mut text = String::new();

@@ -1,4 +1,4 @@
-//! What a history of two hours ends with against the number of its steps, with places along the track and at
+//! End of a history of two hours against the number of its steps, with places along the track and at
 //! random: the scene of `examples/scenes/dry_history.toml`. Writes a table and a figure into
 //! `target/step_study`.
 //!
@@ -37,7 +37,7 @@ const HEADER: &str =
 struct Case {
     name: &'static str,
     label: &'static str,
-    /// What the panel shows, in the unit of the label.
+    /// The quantity of the panel, in the unit of the label.
     value: fn(&StepRecord) -> f64,
     rough: bool,
     film: bool,

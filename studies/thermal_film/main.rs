@@ -2,17 +2,17 @@
 //! contact.
 //!
 //! ```text
-//! cargo run --release --example thermal_film            # 64 x 64 cells, 27 contacts three times each
-//! cargo run --release --example thermal_film -- --quick # 32 x 32 cells, 9 contacts
+//! cargo run --release -p studies --bin thermal_film            # 64 x 64 cells, 27 contacts three times each
+//! cargo run --release -p studies --bin thermal_film -- --quick # 32 x 32 cells, 9 contacts
 //! ```
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
-#[path = "chart/mod.rs"]
+#[path = "../../examples/chart/mod.rs"]
 mod chart;
-#[path = "command/mod.rs"]
+#[path = "../../examples/command/mod.rs"]
 mod command;
-#[path = "command/quick.rs"]
+#[path = "../../examples/command/quick.rs"]
 mod quick;
 
 use std::error::Error;
@@ -27,7 +27,7 @@ use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::thermal::{FilmProfile, FilmThermal};
 
 const USAGE: &str = "\
-usage: cargo run --release --example thermal_film -- [--quick] [--out DIR]
+usage: cargo run --release -p studies --bin thermal_film -- [--quick] [--out DIR]
 
   --quick    fewer and coarser contacts
   --out DIR  where to write thermal_film.csv and thermal_film.svg (default target/thermal_film)
@@ -94,6 +94,36 @@ fn rise(solution: &ContactSolution) -> f64 {
     solution.thermal.as_ref().map_or(0.0, |heat| heat.film_temperature_max - BULK)
 }
 
+/// Lines of the figure at one speed: loss of film, friction with heat and without it, rise of the film.
+type Lines = [Vec<(f64, f64)>; 4];
+
+/// Solves the contacts at `speed` over the slide-roll ratio; prints them and appends them to `table`.
+fn over_sliding(nodes: usize, speed: f64, steps: u32, table: &mut String) -> Result<Lines, Box<dyn Error>> {
+    let mut lines = Lines::default();
+    for step in 0..=steps {
+        let ratio = 2.0 * f64::from(step) / f64::from(steps);
+        let solved = solve(nodes, speed, ratio)?;
+        for (profile, solution) in ["isothermal", "parabola", "collocation"].into_iter().zip(&solved) {
+            let (film, friction) = (solution.film.central, solution.friction.coefficient);
+            writeln!(table, "{speed},{ratio},{profile},{film:e},{friction:e},{:e}", rise(solution))?;
+        }
+        let film = [0, 1, 2].map(|k| solved[k].film.central * 1e9);
+        let friction = [0, 1, 2].map(|k| solved[k].friction.coefficient);
+        let modulus = scene(nodes, speed, ratio).equivalent_modulus()?;
+        let (ours, gupta) = (film[2] / film[0], formula(speed, ratio, modulus)?);
+        let rises = [rise(&solved[1]), rise(&solved[2])];
+        println!(
+            "{speed:<4} {ratio:<5.2} {:7.1} {:7.1} {:7.1} {ours:6.3} {gupta:6.3}   {:.4} {:.4} {:.4}  {:6.2} {:6.2}",
+            film[0], film[1], film[2], friction[0], friction[1], friction[2], rises[0], rises[1]
+        );
+        let values = [100.0 * (1.0 - ours), friction[2], friction[0], rises[1]];
+        for (line, y) in lines.iter_mut().zip(values) {
+            line.push((ratio, y));
+        }
+    }
+    Ok(lines)
+}
+
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let (nodes, steps) = if options.quick { (32, 2) } else { (64, 8) };
     let mut panels =
@@ -106,39 +136,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         "m/s  S     film nm: isothermal, parabola, collocation; ratio, Gupta   friction: the same three  rise K"
     );
     for (speed, colour) in SPEEDS.into_iter().zip([BLUE, VERMILION, BLACK]) {
-        let mut lines: [Vec<(f64, f64)>; 4] = Default::default();
-        for step in 0..=steps {
-            let ratio = 2.0 * f64::from(step) / f64::from(steps);
-            let solved = solve(nodes, speed, ratio)?;
-            for (profile, solution) in ["isothermal", "parabola", "collocation"].into_iter().zip(&solved) {
-                let (film, friction) = (solution.film.central, solution.friction.coefficient);
-                writeln!(table, "{speed},{ratio},{profile},{film:e},{friction:e},{:e}", rise(solution))?;
-            }
-            let film = [0, 1, 2].map(|k| solved[k].film.central * 1e9);
-            let friction = [0, 1, 2].map(|k| solved[k].friction.coefficient);
-            let modulus = scene(nodes, speed, ratio).equivalent_modulus()?;
-            println!(
-                "{speed:<4} {ratio:<5.2} {:7.1} {:7.1} {:7.1} {:6.3} {:6.3}   {:.4} {:.4} {:.4}  {:6.2} {:6.2}",
-                film[0],
-                film[1],
-                film[2],
-                film[2] / film[0],
-                formula(speed, ratio, modulus)?,
-                friction[0],
-                friction[1],
-                friction[2],
-                rise(&solved[1]),
-                rise(&solved[2])
-            );
-            for (line, y) in lines.iter_mut().zip([
-                100.0 * (1.0 - film[2] / film[0]),
-                friction[2],
-                friction[0],
-                rise(&solved[2]),
-            ]) {
-                line.push((ratio, y));
-            }
-        }
+        let lines = over_sliding(nodes, speed, steps, &mut table)?;
         legend.push((Pen::strong(colour), format!("{speed} m/s")));
         legend.push((Pen::dashed(colour), format!("{speed} m/s, isothermal")));
         let pens = [Pen::strong(colour), Pen::strong(colour), Pen::dashed(colour), Pen::strong(colour)];

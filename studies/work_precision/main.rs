@@ -1,4 +1,4 @@
-//! What accuracy costs: errors of four contacts against seconds and convolutions, one line per solver, that
+//! The cost of accuracy: errors of four contacts against seconds and convolutions, one line per solver, that
 //! of the example `custom_solver` among them; errors of wear and film of a history against its steps.
 //!
 //! ```text
@@ -47,7 +47,7 @@ const RQ: f64 = 100e-9;
 const WAVELENGTHS: (f64, f64) = (100e-6, 25e-6);
 const WAVES: u32 = 60;
 
-/// One contact and what is solved of it.
+/// One contact and its solved quantities.
 struct Contact {
     name: &'static str,
     quantities: [Quantity; 2],
