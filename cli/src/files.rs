@@ -50,7 +50,7 @@ pub(crate) fn named(file: &Path, error: &io::Error) -> String {
     format!("{}: {}", file.display(), io_words(error))
 }
 
-/// Removes what is left of `file` after an error, unless it is a device. The error is reported, not this.
+/// Removes the rest of `file` after an error, unless it is a device. The error is reported, not this.
 pub(crate) fn remove(file: &Path) {
     if fs::symlink_metadata(file).is_ok_and(|found| found.is_file()) {
         drop(fs::remove_file(file));

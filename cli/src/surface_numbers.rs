@@ -137,7 +137,7 @@ fn unit_of(key: &str) -> &'static str {
     }
 }
 
-/// What a flat or tiny surface does not have.
+/// Parameters that a flat or tiny surface does not have.
 fn absent<T>(result: Result<T, InputError>) -> Option<T> {
     result.ok()
 }

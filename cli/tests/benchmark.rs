@@ -1,4 +1,4 @@
-//! `stribeck benchmark`: table, pictures, resuming, and what is refused.
+//! `stribeck benchmark`: table, pictures, resuming, and errors.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
 mod common;

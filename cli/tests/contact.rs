@@ -266,7 +266,7 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     assert!(!path.exists());
 }
 
-/// The cells hold the roughness, whatever says what it is.
+/// The cells resolve the roughness, whichever key describes it.
 #[test]
 fn cells_of_init_follow_from_the_roughness() {
     let folder = tempfile::tempdir().unwrap();

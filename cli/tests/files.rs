@@ -158,7 +158,7 @@ fn a_folder_that_cannot_be_written_is_refused_before_the_solve() {
 
 /// The folder is made, and the same command once more says how to go on.
 #[test]
-fn a_repeated_curve_names_both_ways_to_go_on() {
+fn repeated_curve_names_both_remedies() {
     let folder = tempfile::tempdir().unwrap();
     let scene = repository("examples/scenes/smooth.toml");
     let out = folder.path().join("new").join("folder");

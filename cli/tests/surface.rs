@@ -33,7 +33,7 @@ fn the_report_has_all_parameters_of_every_format_and_a_page() {
             assert!((found - expected).abs() <= 1e-6 * expected.abs(), "{name} {key}: {found} {expected}");
         }
         for key in KEYS {
-            // what a small surface does not have is null, but there
+            // parameters that a small surface does not have are null
             assert!(report.get(key).is_some_and(|value| value.is_f64() || value.is_null()), "{name} {key}");
         }
         let page = format!("{}_surface", name.split('.').next().unwrap());

@@ -1,4 +1,4 @@
-//! `stribeck sweep`: points, their folder, and what is refused.
+//! `stribeck sweep`: points, their folder, and errors.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
 mod common;

@@ -34,7 +34,7 @@ edge_contact = false
 "#;
 const OIL: &str = "[lubricant]\neta0 = 0.04\nroelands_z = 0.68\nalpha = 20e-9\n[solver]";
 
-/// What a warning is about, what makes it of the good scene, its field and words of it.
+/// Subject of a warning, the change of the valid scene that causes it, its field and words of it.
 struct Case {
     about: &'static str,
     changes: &'static [(&'static str, &'static str)],
@@ -140,7 +140,7 @@ const CASES: [Case; 10] = [
 ];
 
 /// The warning is in `json` and a line of `terminal`; the warnings.
-fn assert_told(case: &Case, json: &Value, terminal: &str) -> Value {
+fn assert_warned(case: &Case, json: &Value, terminal: &str) -> Value {
     let about = case.about;
     let warnings = json["warnings"].as_array().unwrap();
     let told = warnings.iter().find(|warning| {
@@ -183,7 +183,7 @@ fn surface_file_without_unit_is_one_warning_of_check_solve_and_run() {
 }
 
 #[test]
-fn every_warning_is_told_everywhere() {
+fn every_warning_is_in_text_json_and_library() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
     assert!(solve_contact(&Scene::from_toml(GOOD).unwrap()).unwrap().warnings.is_empty());
@@ -196,7 +196,7 @@ fn every_warning_is_told_everywhere() {
         std::fs::write(&path, &changed).unwrap();
         let scene = Scene::from_toml(&changed).unwrap();
         let output = stribeck(&["solve", text(&path), "--json"]);
-        let told = assert_told(case, &json_of(&output), &error_of(&output));
+        let told = assert_warned(case, &json_of(&output), &error_of(&output));
         let solution = solve_contact(&scene).unwrap();
         assert_eq!(told, serde_json::to_value(&solution.warnings).unwrap(), "{about}");
         if !case.in_run {
@@ -207,7 +207,7 @@ fn every_warning_is_told_everywhere() {
         let lines: Vec<String> = error_of(&output).lines().map(str::to_owned).collect();
         let warnings: Vec<&str> =
             lines.iter().map(String::as_str).filter(|line| line.starts_with("warning: ")).collect();
-        let told = assert_told(case, &json_of(&output), &warnings.join("\n"));
+        let told = assert_warned(case, &json_of(&output), &warnings.join("\n"));
         let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
         sim.step(1.0).unwrap();
         assert_eq!(told, serde_json::to_value(sim.warnings()).unwrap(), "{about}");

@@ -1,4 +1,4 @@
-"""What Python costs: the time of a solve that is not spent solving, and that of a growth law in Python within a step.
+"""Overhead of Python: the time of a solve outside of the solver, and that of a growth law in Python within a step.
 
     python python/benches/overhead.py [CELLS]
 """

@@ -48,7 +48,7 @@ pub(crate) fn contiguous<'a, T: numpy::Element>(
     })
 }
 
-/// Dictionaries and lists within each other that a scene never needs: what contains itself ends here.
+/// Dictionaries and lists within each other that a scene never needs: the bound ends recursive ones.
 const MAX_PATH: usize = 16;
 
 /// A dictionary of strings, numbers, truth values, lists and dictionaries as a table; keys whose value is
@@ -95,7 +95,7 @@ fn toml_value(entry: &Bound<'_, PyAny>, path: &str) -> PyResult<Value> {
         return toml_value(&list, path);
     }
     if let Ok(whole) = entry.extract::<u64>() {
-        // What is beyond the whole numbers of the format is read as text.
+        // Integers out of the range of the format are read as text.
         return Ok(i64::try_from(whole).map_or_else(|_| Value::String(whole.to_string()), Value::Integer));
     }
     if let Ok(whole) = entry.extract::<i64>() {
@@ -166,13 +166,13 @@ fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
     })
 }
 
-/// What serde makes of `numbers` as a dictionary.
+/// `numbers` serialized as a dictionary.
 pub(crate) fn named<'py>(py: Python<'py>, numbers: &impl Serialize) -> PyResult<Bound<'py, PyDict>> {
     let tree = serde_json::to_value(numbers).map_err(|error| PyValueError::new_err(error.to_string()))?;
     Ok(json(py, &tree)?.cast_into::<PyDict>()?)
 }
 
-/// What serde makes of `items` as a list.
+/// `items` serialized as a list.
 pub(crate) fn list<'py>(py: Python<'py>, items: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
     json(py, &serde_json::to_value(items).map_err(|error| PyValueError::new_err(error.to_string()))?)
 }

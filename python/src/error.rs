@@ -28,7 +28,7 @@ pub(crate) fn raise(
     made().unwrap_or_else(|error| error)
 }
 
-/// What a fallible function of the crate returns, for Python.
+/// The result of a fallible function of the crate, for Python.
 pub(crate) trait ForPython {
     fn for_python(self, py: Python<'_>) -> PyErr;
 }

@@ -109,7 +109,7 @@ impl Scene {
     }
 }
 
-/// The error without the number of a line, of a text that nobody has written.
+/// The error without the number of a line, of a text that the crate has written.
 fn without_line(error: sim::SimError) -> sim::SimError {
     match error {
         sim::SimError::Scene { reason } => {

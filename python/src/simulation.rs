@@ -25,7 +25,7 @@ pub(crate) struct Simulation {
 type Arrays<'py> = Bound<'py, PyDict>;
 
 impl Simulation {
-    /// What `act` makes of the simulation, with the interpreter free meanwhile; an exception of a law or a
+    /// The result of `act` on the simulation, with the interpreter free meanwhile; an exception of a law or a
     /// signal comes first.
     fn act<T: Send, E: ForPython + Send>(
         &self,
@@ -52,7 +52,7 @@ impl Simulation {
         }
     }
 
-    /// What `look` reads.
+    /// The result of `look` on the simulation.
     fn look<T>(&self, py: Python<'_>, look: impl FnOnce(&MixedLubricationSim) -> PyResult<T>) -> PyResult<T> {
         match self.run.try_lock() {
             Ok(run) => look(&run.sim),

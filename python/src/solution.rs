@@ -17,7 +17,7 @@ use crate::start::BodyStart;
 
 type Array<'py> = PyReadonlyArray2<'py, f64>;
 
-/// What may stand in place of the parts of a scene.
+/// Components that replace parts of a scene.
 #[derive(FromPyObject)]
 pub(crate) struct Parts<'py> {
     #[pyo3(item)]
@@ -129,7 +129,7 @@ pub(crate) fn solve<'py>(
     Ok(solved)
 }
 
-/// What a solution is in Python.
+/// A solution in Python.
 pub(crate) fn parts_of<'py>(py: Python<'py>, solution: &ContactSolution) -> PyResult<Solved<'py>> {
     let fields = PyDict::new(py);
     for (name, values) in solution.fields() {
@@ -139,7 +139,7 @@ pub(crate) fn parts_of<'py>(py: Python<'py>, solution: &ContactSolution) -> PyRe
     Ok((numbers(py, solution)?, fields, nodes(py, &solution.grid)))
 }
 
-/// The numbers under the names of the command's JSON, with the edges of the grid; what is not finite is None.
+/// The numbers under the names of the command's JSON, with the edges of the grid; values that are not finite are None.
 fn numbers<'py>(py: Python<'py>, solution: &ContactSolution) -> PyResult<Bound<'py, PyDict>> {
     let numbers = named(py, solution)?;
     numbers.set_item("grid", grid_dict(py, &solution.grid)?)?;

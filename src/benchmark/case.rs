@@ -7,7 +7,7 @@ use super::limits::Limits;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::sim::{MixedLubricationSim, Scene, SimBuilder, SimError};
-use crate::surface::Advected;
+use crate::surface::{Advected, Heights, RoughnessSpec, generate};
 use crate::with_fields::with_fields;
 
 /// Heights of ball and disc on a grid \[m\], for surfaces that no scene describes.
@@ -21,6 +21,24 @@ impl HeightsOnGrid {
     /// Heights by `heights`.
     pub fn new(heights: impl Fn(&Grid) -> Result<[Vec<f64>; 2], SimError> + Send + Sync + 'static) -> Self {
         Self(Arc::new(heights))
+    }
+
+    /// Random surfaces of both bodies on the mesh `coarse`, brought to finer meshes of its box by their Fourier series.
+    pub fn by_fourier_series(coarse: Grid, surfaces: [RoughnessSpec; 2]) -> Self {
+        Self::new(move |grid| {
+            if grid.nx() < coarse.nx() || grid.ny() < coarse.ny() {
+                let cells = coarse.nx().max(coarse.ny());
+                let reason = format!("the surfaces have {cells} cells along each side, take as many or more");
+                return Err(InputError::Conflict { field: "meshes".to_owned(), reason }.into());
+            }
+            let of = |spec: &RoughnessSpec| {
+                let spacing = Some([coarse.dx(), coarse.dy()]);
+                let heights =
+                    Heights::new(coarse.nx(), coarse.ny(), spacing, generate(&coarse, spec)?, None)?;
+                Ok::<_, SimError>(heights.resample_fourier(grid.nx(), grid.ny())?.heights().to_vec())
+            };
+            Ok([of(&surfaces[0])?, of(&surfaces[1])?])
+        })
     }
 }
 

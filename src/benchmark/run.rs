@@ -15,7 +15,10 @@ use super::job::Job;
 use super::metered::Meter;
 use super::row::Row;
 use super::scoring::{self, Outcome, Solved};
-use crate::sim::{FilmNumbers, SimBuilder, SimError};
+use crate::report::SolveReport;
+use crate::sim::{
+    ContactNumbers, ContactSolution, FilmNumbers, FrictionNumbers, SimBuilder, SimError, StepRecord,
+};
 
 /// Time between two looks whether the benchmark was stopped.
 const PERIOD: Duration = Duration::from_millis(50);
@@ -76,15 +79,9 @@ fn solve(job: &Job, meter: &Arc<Meter>, repeats: u32) -> Result<Solved, SimError
 }
 
 fn single(builder: SimBuilder) -> Result<Solved, SimError> {
-    let solution = builder.solve()?;
-    let convolutions = solution.report.work.convolutions;
-    let shares = [solution.contact.area_ratio, solution.contact.load_ratio, solution.friction.coefficient];
-    Ok(Solved {
-        convolutions,
-        minimum_gap: solution.film.minimum_gap,
-        values: values(&solution.film, shares),
-        report: solution.report,
-    })
+    let ContactSolution { report, film, contact, friction, .. } = builder.solve()?;
+    let convolutions = report.work.convolutions;
+    Ok(solved((report, convolutions), &film, &contact, &friction))
 }
 
 /// All contacts of a history, up to the first that fails.
@@ -108,16 +105,24 @@ fn in_time(builder: SimBuilder, history: History) -> Result<Solved, SimError> {
         }
     }
     let Some(record) = last else { return Err(SimError::Interrupted) };
-    let shares = [record.contact.area_ratio, record.contact.load_ratio, record.friction.coefficient];
-    Ok(Solved {
-        convolutions,
-        minimum_gap: record.film.minimum_gap,
-        values: values(&record.film, shares),
-        report: record.report,
-    })
+    let StepRecord { report, film, contact, friction, .. } = record;
+    Ok(solved((report, convolutions), &film, &contact, &friction))
 }
 
-/// Numbers in the order of [`Quantity::ALL`](super::Quantity::ALL).
-fn values(film: &FilmNumbers, [area, load, friction]: [f64; 3]) -> [f64; 6] {
-    [film.central, film.minimum, film.mean_central, area, load, friction]
+/// A solved contact; its values are in the order of [`Quantity::ALL`](super::Quantity::ALL).
+fn solved(
+    (report, convolutions): (SolveReport, f64),
+    film: &FilmNumbers,
+    contact: &ContactNumbers,
+    friction: &FrictionNumbers,
+) -> Solved {
+    let values = [
+        film.central,
+        film.minimum,
+        film.mean_central,
+        contact.area_ratio,
+        contact.load_ratio,
+        friction.coefficient,
+    ];
+    Solved { report, convolutions, minimum_gap: film.minimum_gap, values }
 }

@@ -12,12 +12,14 @@
 //! | tridiagonal systems of lines, prescribed films and the unified Reynolds model | `tridiagonal` |
 //! | the linear solve of a Newton step | `gmres` |
 //! | small dense systems | `least_squares` |
+//! | roots of one variable | `false_position` |
 //! | multithreading | `parallel` |
 //!
 //! Callers check lengths. Results are bit-identical for any number of threads: threads share lines, no sum is
 //! split.
 
 mod convolution;
+mod false_position;
 mod fft;
 mod gmres;
 mod grid_lu;
@@ -33,6 +35,7 @@ mod tridiagonal;
 mod vectors;
 
 pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
+pub(crate) use false_position::FalsePosition;
 pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};

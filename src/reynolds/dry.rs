@@ -7,7 +7,7 @@
 use super::coupled::Coupled;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
+use super::{ContactSolver, ReynoldsError, StoppingRule};
 use crate::elastic::{DryOutcome, DryProblem, DrySolver};
 use crate::grid::Grid;
 use crate::report::{SolveReport, Status, Work};
@@ -172,18 +172,8 @@ impl ContactSolver for Dry {
         SolverId::Dry
     }
 
-    fn check(
-        &self,
-        problem: &LubricatedContact<'_>,
-        state: &ContactState,
-        stop: &StoppingRule,
-    ) -> Result<(), ReynoldsError> {
-        check_call(problem, state, stop)?;
-        if problem.lubricant.is_some() {
-            let reason = "the problem has a lubricant";
-            return Err(ReynoldsError::WrongSolver { solver: self.id(), reason });
-        }
-        Ok(())
+    fn unsupported(&self, problem: &LubricatedContact<'_>) -> Option<&'static str> {
+        problem.lubricant.is_some().then_some("the problem has a lubricant")
     }
 
     fn solve(

@@ -7,6 +7,7 @@ use super::given_film::{Feed, FilmThickness, GivenFilm, GivenFilmSolution};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
+use crate::numerics::FalsePosition;
 use crate::with_fields::with_fields;
 
 /// Largest eccentricity of an equilibrium.
@@ -161,11 +162,8 @@ impl JournalBearing<'_> {
         attitude: f64,
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
-        // The load is zero at the eccentricity zero and grows with it.
-        let [mut low, mut high] = [[0.0, -load], [MOST_ECCENTRIC, 0.0]];
         let mut solution = self.solve_at(MOST_ECCENTRIC, attitude, interrupted)?;
-        high[1] = solution.load - load;
-        if high[1] < 0.0 {
+        if solution.load < load {
             return Err(InputError::Conflict {
                 field: format!("load = {load} N"),
                 reason: format!(
@@ -176,25 +174,16 @@ impl JournalBearing<'_> {
             }
             .into());
         }
-        let mut last_is_low = None;
+        // The load is zero at the eccentricity zero and grows with it, steeply near one: where false position is slow,
+        // halving brackets the root.
+        let mut bracket = FalsePosition::new([0.0, -load], [MOST_ECCENTRIC, solution.load - load], None);
         for _ in 0..MOST_SOLVES {
             if (solution.load / load - 1.0).abs() < LOAD_TOLERANCE {
                 break;
             }
-            // Loads grow steeply near one: where false position is slow, halving brackets the root.
-            let share = low[1] / (low[1] - high[1]);
-            let share = if share < 0.01 { 0.5 } else { share };
-            let eccentricity = low[0] + share * (high[0] - low[0]);
+            let eccentricity = bracket.next(0.01);
             solution = self.solve_at(eccentricity, attitude, interrupted)?;
-            let rest = solution.load - load;
-            let is_low = rest < 0.0;
-            // Illinois: an end that is kept twice counts half.
-            let (end, kept) = if is_low { (&mut low, &mut high) } else { (&mut high, &mut low) };
-            *end = [eccentricity, rest];
-            if last_is_low == Some(is_low) {
-                kept[1] *= 0.5;
-            }
-            last_is_low = Some(is_low);
+            bracket.add(eccentricity, solution.load - load);
         }
         Ok(solution)
     }

@@ -151,8 +151,15 @@ pub trait ContactSolver: Debug + Send + Sync {
     /// Identifier of the solver in reports; [`SolverId::Custom`] for a user-defined solver.
     fn id(&self) -> SolverId;
 
+    /// The first property of `problem` outside of the scope of the solver; `None`, the default, if it solves every
+    /// problem.
+    fn unsupported(&self, problem: &LubricatedContact<'_>) -> Option<&'static str> {
+        let _ = problem;
+        None
+    }
+
     /// Validates the input of [`solve`](Self::solve) and returns the same error, without solving. The default
-    /// checks problem, state and rule. A solver for a subset of problems overrides it to reject the others.
+    /// checks problem, state and rule, and rejects [unsupported](Self::unsupported) problems.
     ///
     /// # Errors
     /// The errors of [`solve`](Self::solve).
@@ -162,7 +169,11 @@ pub trait ContactSolver: Debug + Send + Sync {
         state: &ContactState,
         stop: &StoppingRule,
     ) -> Result<(), ReynoldsError> {
-        check_call(problem, state, stop)
+        check_call(problem, state, stop)?;
+        match self.unsupported(problem) {
+            Some(reason) => Err(ReynoldsError::WrongSolver { solver: self.id(), reason }),
+            None => Ok(()),
+        }
     }
 
     /// Solves `problem` from `state` until `stop` is met.

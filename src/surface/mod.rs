@@ -29,6 +29,7 @@ mod generate;
 mod johnson;
 mod measured;
 mod motion;
+mod on_grid;
 mod patch;
 mod random;
 mod random_shape;

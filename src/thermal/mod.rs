@@ -8,6 +8,7 @@
 mod collocation;
 mod field;
 mod film_flow;
+mod film_section;
 mod layers;
 mod properties;
 mod section;
@@ -15,5 +16,6 @@ mod streams;
 
 pub use field::FilmTemperature;
 pub use film_flow::{FilmFlow, HeatBalance};
+pub use film_section::{FilmHeat, FilmProfile, FilmSection};
 pub use properties::FilmThermal;
-pub use section::{FilmHeat, FilmProfile, FilmSection, SectionSolver};
+pub use section::SectionSolver;

@@ -1,8 +1,8 @@
-//! The film at one node: temperature profile, shear stress and viscosity.
+//! Solver of the film at one node: temperature profile, shear stress and viscosity.
 
 use super::collocation::{Collocation, POINTS};
+use super::film_section::{FilmHeat, FilmProfile, FilmSection, half_parabola};
 use super::layers::Layers;
-use crate::lubricant::{Rheology, ViscosityLaw};
 
 /// Relative tolerance of the shear heat.
 const TOLERANCE: f64 = 1e-10;
@@ -12,85 +12,6 @@ const MAX_EVALUATIONS: usize = 60;
 const MAX_PASSES: usize = 60;
 /// Change of the normalized heat profile at convergence.
 const SHAPE_TOLERANCE: f64 = 1e-11;
-/// Largest number of secant steps to the temperature of a viscosity, and the step at convergence \[K\].
-const MAX_SECANTS: usize = 30;
-const SECANT_TOLERANCE: f64 = 1e-6;
-
-/// Model of the temperature profile across the film.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum FilmProfile {
-    /// Uniform shear rate with the viscosity at the mean temperature: the profile is a parabola.
-    #[default]
-    Parabola,
-    /// Uniform shear stress with the local viscosity of each layer; heat conduction is collocated at eight
-    /// points.
-    Collocation,
-}
-
-/// The film at one node and its heat sources.
-///
-/// Across a film of thickness `h` under one shear stress `tau`
-///
-/// `k d2T/dz2 + tau du/dz + s = 0`, `T = T_1, T_2` at the surfaces, `integral of du/dz = u_s`,
-///
-/// with `du/dz = F(tau)/eta(p, T)` of the rheology and the heat `s` independent of shear: dissipation of the
-/// pressure flow `q_p` (proportional to the square of the distance from the midplane), heat of compression
-/// `q_c`, less the advected heat `q_a = C (T_u - T_a)`, the last two uniform across the film. `T_u` is the mean
-/// across the film weighted by the magnitude of the velocity. For a uniform viscosity the mean across the film is
-///
-/// `T_m = (T_1 + T_2)/2 + h/(12 k) (tau u_s + q_c - q_a) + h/(20 k) q_p`.
-///
-/// The surface temperatures may respond to the heat that leaves the film: `T_i + R (q - q_0)`.
-#[derive(Debug, Clone, Copy)]
-pub struct FilmSection<'a> {
-    /// Viscosity by pressure and temperature; a law without temperature dependence keeps its value.
-    pub viscosity: &'a dyn ViscosityLaw,
-    /// Shear stress of the fluid.
-    pub rheology: &'a Rheology,
-    /// Thermal conductivity `k` \[W/(m K)\].
-    pub conductivity: f64,
-    /// Pressure `p` \[Pa\].
-    pub pressure: f64,
-    /// Film thickness `h` \[m\].
-    pub film: f64,
-    /// Film fraction, 1 in a full gap: the stress `tau` counts times it.
-    pub theta: f64,
-    /// Sliding speed `u_s`, not negative \[m/s\].
-    pub sliding: f64,
-    /// Surface temperatures `T_1, T_2` at the heat flow `q_0` out of the film \[K\].
-    pub surfaces: [f64; 2],
-    /// Surface response `R` \[K m^2/W\] and reference heat flow `q_0` \[W/m^2\].
-    pub response: (f64, f64),
-    /// Heat of the pressure flow `q_p` and of compression `q_c` \[W/m^2\].
-    pub other_heat: (f64, f64),
-    /// Advection: `C` \[W/(m^2 K)\] and the inflow temperature `T_a` \[K\].
-    pub carried: (f64, f64),
-    /// Velocity `v_0 + v_1 y - 6 v_2 (1/4 - y^2)` in the film, `y` from -1/2 at the first surface to 1/2; in any unit.
-    pub velocity: [f64; 3],
-}
-
-/// Result of [`SectionSolver::solve`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct FilmHeat {
-    /// Mean temperature across the film `T_m` \[K\].
-    pub mean: f64,
-    /// Shear stress `tau` \[Pa\].
-    pub stress: f64,
-    /// Effective viscosity of the pressure flow \[Pa s\]: the mobility is `h^3/(12 eta)`.
-    pub flow_viscosity: f64,
-    /// Temperature at which the law has this viscosity \[K\]; the mean temperature for a law without
-    /// temperature dependence.
-    pub flow_temperature: f64,
-    /// Heat conducted to the surfaces \[W/m^2\].
-    pub conducted: f64,
-    /// Heat advected by the flow \[W/m^2\].
-    pub carried: f64,
-    /// Temperatures of the layers that move forward and of those that move backward, weighted by their velocity
-    /// \[K\].
-    pub streams: [f64; 2],
-}
 
 /// Solver of film sections; owns the collocation rule.
 ///
@@ -285,79 +206,5 @@ impl SectionSolver {
         };
         let (all, first, second) = (moment(0), moment(1), moment(2));
         1.0 / (12.0 * (second - first * first / all))
-    }
-}
-
-/// Rise of a film under uniform heat of one, in units of film over conductivity.
-fn half_parabola(z: f64) -> f64 {
-    0.5 * z * (1.0 - z)
-}
-
-impl FilmSection<'_> {
-    /// Temperatures at the collocation points above those between the surfaces, without advection; `sheared(i)` is
-    /// the part of the shear heat in units of film over conductivity.
-    fn uncarried(&self, rule: &Collocation, sheared: impl Fn(usize) -> f64) -> [f64; POINTS] {
-        let (by_pressure, by_compression) = self.other_heat;
-        std::array::from_fn(|i| {
-            let z = rule.nodes[i];
-            let driven = (0.0625 - (z - 0.5).powi(4)) * by_pressure;
-            self.film / self.conductivity * (sheared(i) + half_parabola(z) * by_compression + driven)
-        })
-    }
-
-    /// Temperatures at the collocation points and advected heat, from the rises without advection.
-    fn close(
-        &self,
-        rule: &Collocation,
-        layers: &Layers,
-        heat: f64,
-        uncarried: &[f64; POINTS],
-    ) -> ([f64; POINTS], f64) {
-        let (by_pressure, by_compression) = self.other_heat;
-        let (response, before) = self.response;
-        let (capacity, inflow) = self.carried;
-        let follow = response * (heat + by_pressure + by_compression - before);
-        let [first, second] = self.surfaces;
-        let still: [f64; POINTS] =
-            std::array::from_fn(|i| first + rule.nodes[i] * (second - first) + follow + uncarried[i]);
-        // Advection lowers the film temperature and, through the response, that of the surfaces.
-        let resistance = rule.nodes.map(|z| self.film / self.conductivity * half_parabola(z) + response);
-        let mean = |values| Layers::mean(&layers.all, values);
-        let carried = capacity * (mean(&still) - inflow) / (1.0 + capacity * mean(&resistance));
-        (std::array::from_fn(|i| still[i] - resistance[i] * carried), carried)
-    }
-
-    fn viscosity_at(&self, temperature: f64) -> f64 {
-        let law = self.viscosity;
-        law.viscosity_at(self.pressure, temperature).unwrap_or_else(|| law.viscosity(self.pressure))
-    }
-
-    /// Temperature at which the law has the `viscosity` at the pressure of the section, by secant steps from
-    /// `near` \[K\]; `near` for a law without temperature dependence.
-    fn temperature_of(&self, viscosity: f64, near: f64) -> f64 {
-        let excess = |temperature: f64| (self.viscosity_at(temperature) / viscosity).ln();
-        let (mut last, mut temperature) = (near, near + 1.0);
-        let mut last_excess = excess(last);
-        for _ in 0..MAX_SECANTS {
-            let now = excess(temperature);
-            let step = now * (temperature - last) / (now - last_excess);
-            if !step.is_finite() {
-                return last;
-            }
-            (last, last_excess) = (temperature, now);
-            temperature = (temperature - step).clamp(0.5 * temperature, 2.0 * temperature);
-            if step.abs() < SECANT_TOLERANCE {
-                break;
-            }
-        }
-        temperature
-    }
-
-    /// Shear stress at the mean `viscosity` \[Pa s\], over the whole cell; zero without a film.
-    fn stress(&self, viscosity: f64) -> f64 {
-        if self.film <= 0.0 || self.sliding == 0.0 {
-            return 0.0;
-        }
-        self.theta * self.rheology.shear_stress_under(self.pressure, viscosity, self.sliding / self.film)
     }
 }

@@ -15,7 +15,7 @@ thread_local! {
     static MOST: Cell<isize> = const { Cell::new(0) };
 }
 
-/// Adds to what the thread holds.
+/// Adds to the bytes that the thread holds.
 fn hold(bytes: isize) {
     HELD.set(HELD.get() + bytes);
     MOST.set(MOST.get().max(HELD.get()));
@@ -49,12 +49,12 @@ unsafe impl GlobalAlloc for Weighing {
 #[global_allocator]
 static ALLOCATOR: Weighing = Weighing;
 
-/// What a read takes at most beyond its result: buffers of the decompressors, and for each byte of the file
-/// what a byte of text or deflated data can stand for.
+/// Largest memory of a read beyond its result: buffers of the decompressors, and for each byte of the file the largest
+/// content of a byte of text or deflated data.
 const BUFFERS: usize = 1 << 20;
 const PER_BYTE: usize = 256;
 
-/// What `work` returns and the most bytes that it held at a time.
+/// The result of `work` and the most bytes that it held at a time.
 fn weighed<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let before = HELD.get();
     MOST.set(before);
@@ -123,7 +123,7 @@ fn mutate(bytes: &mut Vec<u8>, random: &mut ChaCha8Rng) {
     }
 }
 
-/// Reads `mutations()` damaged versions of `original`; what still reads must be sound.
+/// Reads `mutations()` damaged versions of `original`; those that can be read must be sound.
 fn survives(original: &[u8], seed: u64, wrap: impl Fn(Vec<u8>) -> Vec<u8>) {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let (mut refused, count) = (0, mutations());

@@ -37,7 +37,7 @@ struct Refusals {
     run: Option<SimError>,
 }
 
-/// What is known of a scene before it is solved.
+/// Results of a check: warnings and estimates before a solve.
 struct Expected {
     refusals: Refusals,
     parts: Vec<Part>,
@@ -179,7 +179,7 @@ impl Expected {
     }
 }
 
-/// Takes from `scene` what only a history may refuse: it is then looked at as it stands at the start.
+/// Removes the parts of `scene` that only a history may reject: the rest is the contact at the start.
 fn leave_contact(scene: &mut Scene) -> Result<(), InputError> {
     let start = scene.conditions(0.0)?;
     (scene.load.force, scene.load.hertz_pressure) = (Some(start.load), None);

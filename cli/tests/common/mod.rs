@@ -1,4 +1,4 @@
-//! Running the command and looking at what it leaves.
+//! Runs of the command, and its files.
 #![allow(dead_code, reason = "not every test looks at everything")]
 
 use std::path::{Path, PathBuf};

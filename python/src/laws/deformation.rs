@@ -22,7 +22,7 @@ pub(crate) struct Deformation {
     influences: [[f64; NEAR + 1]; NEAR + 1],
 }
 
-/// What a deformation model with an estimate of pressures offers beside its displacement.
+/// The methods of a deformation model with an estimate of pressures, beside its displacement.
 #[derive(Clone)]
 struct Estimated {
     displacement: Arc<Function>,

@@ -3,6 +3,7 @@
 mod deformation;
 mod fluid;
 mod given;
+mod problem;
 mod rubbing;
 mod solver;
 mod surface;
@@ -14,9 +15,9 @@ use deformation::Deformation;
 use fluid::{Density, Viscosity};
 pub(crate) use given::PyLaws;
 use numpy::{PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+pub(crate) use problem::Problem;
 use pyo3::prelude::*;
 use rubbing::{Friction, Growth, Wear};
-pub(crate) use solver::Problem;
 use solver::Solver;
 use stribeck::{Grid, InputError};
 pub(crate) use surface::check_visits;
@@ -56,14 +57,14 @@ pub(crate) fn own_solver(law: PyLaw, grid: Grid) -> Box<dyn stribeck::reynolds::
     Box::new(Solver::new(Function::new("solver", law, grid), None))
 }
 
-/// A law in Python: what tells it from others, and its function.
+/// A law in Python: its identity and its function.
 type PyLaw = (String, Py<PyAny>);
 
 /// A function of Python that gives a field.
 struct Function {
-    /// What messages call it.
+    /// Its name in messages.
     name: &'static str,
-    /// What tells it from others in a checkpoint.
+    /// Its identity in checkpoints.
     identity: String,
     call: Py<PyAny>,
     grid: Grid,
@@ -75,7 +76,7 @@ impl fmt::Debug for Function {
     }
 }
 
-/// What becomes of an `error` that the function `name` has raised.
+/// The error of the crate for an `error` raised by the function `name`.
 pub(crate) fn raised(py: Python<'_>, name: &str, error: PyErr) -> PyErr {
     if !error.is_instance_of::<pyo3::exceptions::PyException>(py) {
         return error;
@@ -90,7 +91,7 @@ impl Function {
         Self { name, identity, call, grid }
     }
 
-    /// Calls with the arguments that `arguments` makes and writes what is returned into `out`; NaN where that
+    /// Calls with the arguments that `arguments` makes and writes the result into `out`; NaN where that
     /// fails, with the exception kept.
     fn fill<'py>(&self, py: Python<'py>, arguments: Vec<Bound<'py, PyAny>>, out: &mut [f64]) {
         if let Err(error) = self.try_fill(py, arguments, out) {
@@ -111,13 +112,13 @@ impl Function {
         self.take(&returned, "returned", out)
     }
 
-    /// What the function returns.
+    /// The result of the function.
     fn call<'py>(&self, py: Python<'py>, arguments: Vec<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
         let arguments = pyo3::types::PyTuple::new(py, arguments)?;
         self.call.bind(py).call1(arguments).map_err(|error| self.raised(py, error))
     }
 
-    /// Writes a field of finite numbers, or one number for all, into `out`; `did` says what the function did
+    /// Writes a field of finite numbers, or one number for all, into `out`; `did` is the verb of messages about the function
     /// with it.
     fn take(&self, given: &Bound<'_, PyAny>, did: &str, out: &mut [f64]) -> PyResult<()> {
         let py = given.py();

@@ -1,4 +1,4 @@
-//! Laws of the surfaces: what pressure they carry, and how their roughness moves.
+//! Laws of the surfaces: pressure limits and motion of the roughness.
 
 use pyo3::prelude::*;
 use stribeck::plastic::PlasticityModel;

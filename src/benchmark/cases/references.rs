@@ -3,12 +3,11 @@
 
 use crate::benchmark::case::{Case, HeightsOnGrid};
 use crate::benchmark::limits::{Limits, Quantity};
-use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::{Cavitation, FaceMobility, Scheme};
 use crate::sim::scene::{GridSpec, InletSpec};
 use crate::sim::{Scene, SimError};
-use crate::surface::{Autocorrelation, Form, Heights, RoughnessSpec, generate};
+use crate::surface::{Autocorrelation, Form, RoughnessSpec};
 
 /// Limits, a line for each surface of each scene.
 const LIMITS: &str = include_str!("../../../docs/reference.csv");
@@ -54,28 +53,16 @@ fn case(line: &str) -> Result<Case, SimError> {
         limits = limits.with(quantity, number(column)?, number(column + 1)?);
     }
     let (rq, length) = ([number(3)?, number(4)?], number(5)?);
-    let heights = move |grid: &Grid| -> Result<[Vec<f64>; 2], SimError> {
-        let of = |body: usize| heights(grid, rq[body], length, 2 * seed - 1 + body as u64);
-        Ok([of(0)?, of(1)?])
-    };
+    let coarse = Grid::from_edges(SURFACE_CELLS, SURFACE_CELLS, [-half, half], [-half, half])?;
+    let surfaces = [0, 1].map(|body| RoughnessSpec {
+        autocorrelation: Autocorrelation::Gaussian,
+        rq: rq[body],
+        length_x: length,
+        length_y: length,
+        seed: 2 * seed - 1 + body as u64,
+    });
     Ok(Case::new(format!("{name}: u {speed} m/s, {cavitation}, surface {seed}"), scene)
         .with_tags(["reference", "rough", name, cavitation])
         .with_reference(Some(limits))
-        .with_heights(Some(HeightsOnGrid::new(heights))))
-}
-
-/// Heights of one body on `grid`, those of the coarse grid by their Fourier series.
-fn heights(grid: &Grid, rq: f64, length: f64, seed: u64) -> Result<Vec<f64>, SimError> {
-    let half = [0.5 * grid.size_x(), 0.5 * grid.size_y()];
-    let coarse = Grid::from_edges(SURFACE_CELLS, SURFACE_CELLS, [-half[0], half[0]], [-half[1], half[1]])?;
-    let autocorrelation = Autocorrelation::Gaussian;
-    let spec = RoughnessSpec { autocorrelation, rq, length_x: length, length_y: length, seed };
-    let heights = generate(&coarse, &spec)?;
-    let spacing = Some([coarse.dx(), coarse.dy()]);
-    let surface = Heights::new(SURFACE_CELLS, SURFACE_CELLS, spacing, heights, None)?;
-    if grid.nx() < SURFACE_CELLS || grid.ny() < SURFACE_CELLS {
-        let reason = format!("the surfaces have {SURFACE_CELLS} cells along each side, take as many or more");
-        return Err(InputError::Conflict { field: "meshes".to_owned(), reason }.into());
-    }
-    Ok(surface.resample_fourier(grid.nx(), grid.ny())?.heights().to_vec())
+        .with_heights(Some(HeightsOnGrid::by_fourier_series(coarse, surfaces))))
 }

@@ -9,7 +9,7 @@ use split::{Inlets, Split};
 
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ContactSolver, Dry, ReynoldsError, StoppingRule, check_call};
+use super::{ContactSolver, Dry, ReynoldsError, StoppingRule};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::{Residuals, SolveReport};
@@ -90,39 +90,25 @@ impl AsperityInlets {
     }
 }
 
-/// The first property of `problem` that the law leaves out.
-fn unsupported(problem: &LubricatedContact<'_>) -> Option<&'static str> {
-    let heated = |oil: &Lubricant| !oil.film_temperatures().is_empty();
-    [
-        (problem.lubricant.is_none(), "the problem has no lubricant"),
-        (problem.squeeze.is_some(), "it is steady, and the problem has a squeeze term"),
-        (problem.spin_radius.is_some(), "the surfaces spin"),
-        (problem.supplied_film.is_some(), "the inlet is starved (supplied_film)"),
-        (problem.edge_pressure.is_some(), "the edge of the box has a pressure"),
-        (problem.shear_thinning.is_some(), "the flow thins by shear"),
-        (problem.lubricant.is_some_and(heated), "the film has a temperature of its own"),
-        (problem.is_paper(), "the contact is that of the paper"),
-    ]
-    .into_iter()
-    .find_map(|(applies, reason)| applies.then_some(reason))
-}
-
 impl ContactSolver for AsperityInlets {
     fn id(&self) -> SolverId {
         SolverId::AsperityInlets
     }
 
-    fn check(
-        &self,
-        problem: &LubricatedContact<'_>,
-        state: &ContactState,
-        stop: &StoppingRule,
-    ) -> Result<(), ReynoldsError> {
-        check_call(problem, state, stop)?;
-        match unsupported(problem) {
-            Some(reason) => Err(ReynoldsError::WrongSolver { solver: self.id(), reason }),
-            None => Ok(()),
-        }
+    fn unsupported(&self, problem: &LubricatedContact<'_>) -> Option<&'static str> {
+        let heated = |oil: &Lubricant| !oil.film_temperatures().is_empty();
+        [
+            (problem.lubricant.is_none(), "the problem has no lubricant"),
+            (problem.squeeze.is_some(), "it is steady, and the problem has a squeeze term"),
+            (problem.spin_radius.is_some(), "the surfaces spin"),
+            (problem.supplied_film.is_some(), "the inlet is starved (supplied_film)"),
+            (problem.edge_pressure.is_some(), "the edge of the box has a pressure"),
+            (problem.shear_thinning.is_some(), "the flow thins by shear"),
+            (problem.lubricant.is_some_and(heated), "the film has a temperature of its own"),
+            (problem.is_paper(), "the contact is that of the paper"),
+        ]
+        .into_iter()
+        .find_map(|(applies, reason)| applies.then_some(reason))
     }
 
     fn solve(

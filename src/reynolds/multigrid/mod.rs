@@ -15,6 +15,7 @@ mod cycle;
 mod full_film;
 mod hierarchy;
 mod level;
+mod progress;
 mod relax;
 mod start;
 mod transfer;
@@ -23,6 +24,7 @@ use acceleration::Acceleration;
 pub(super) use full_film::expects_full_film;
 use hierarchy::Hierarchy;
 pub(super) use hierarchy::coarser;
+use progress::Progress;
 pub(super) use transfer::Transfer;
 
 use super::coupled::Coupled;
@@ -35,18 +37,10 @@ use crate::lubricant::Lubricant;
 use crate::report::{Residuals, SolveReport, Status, Work};
 use crate::solver_id::SolverId;
 
-/// Stall window: cycles without progress after which the solve has stalled.
-const STALL_WINDOW: u64 = 3;
-/// Ratio of a residual to the best one that counts as progress.
-const SUFFICIENT_DECREASE: f64 = 0.8;
 /// Reduction factor of a cycle above which relaxation is damped more, from cycle [`SETTLED`] on.
 const SLOW_REDUCTION: f64 = 0.6;
 /// First cycle to which [`SLOW_REDUCTION`] applies.
 const SETTLED: u64 = 3;
-/// Number of cycles over which the convergence rate is averaged.
-const RATE_CYCLES: usize = 3;
-/// Consecutive cycles with films below the contact film that end the solve.
-const MAX_TOUCHING_CYCLES: u64 = 8;
 /// Ratio of expected film to contact film above which touching films indicate too coarse a mesh.
 const EXPECTED_OVER_CONTACT: f64 = 2.0;
 /// Smallest number of nodes along an axis for which the solver is selected.
@@ -348,55 +342,6 @@ impl Workspace {
 /// Whether the film touches although it is expected to be thick.
 fn touches_a_thick_film(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
     problem.reference_film > EXPECTED_OVER_CONTACT * problem.contact_film() && touches(problem, state)
-}
-
-/// Reduction of the residual over the cycles so far.
-struct Progress {
-    /// Smallest residual at the last sufficient decrease.
-    reference: f64,
-    /// Cycles since then.
-    stalled_cycles: u64,
-    /// Cycles in a row whose film touches.
-    touching: u64,
-    /// Residuals of the last cycles, newest first.
-    last: [f64; RATE_CYCLES],
-}
-
-impl Default for Progress {
-    fn default() -> Self {
-        let last = [f64::INFINITY; RATE_CYCLES];
-        Self { reference: f64::INFINITY, stalled_cycles: 0, touching: 0, last }
-    }
-}
-
-impl Progress {
-    /// Takes in the smallest residual so far.
-    fn see_best(&mut self, best: f64) {
-        if best < SUFFICIENT_DECREASE * self.reference {
-            (self.reference, self.stalled_cycles) = (best, 0);
-        } else {
-            self.stalled_cycles += 1;
-        }
-    }
-
-    /// Takes in the `residual` of a cycle. Predicted number of cycles from it to the `tolerance` at the mean rate of the last
-    /// [`RATE_CYCLES`]; zero without so many.
-    fn cycles_needed(&mut self, residual: f64, tolerance: f64) -> f64 {
-        let earlier = self.last[RATE_CYCLES - 1];
-        self.last.rotate_right(1);
-        self.last[0] = residual;
-        if !earlier.is_finite() {
-            return 0.0;
-        }
-        let gained = (earlier / residual).ln() / RATE_CYCLES as f64;
-        if gained > 0.0 { (residual / tolerance).ln() / gained } else { f64::INFINITY }
-    }
-
-    /// Whether the residual no longer falls, or the film has touched for too many cycles.
-    fn is_stalled(&mut self, touches: bool) -> bool {
-        self.touching = if touches { self.touching + 1 } else { 0 };
-        self.stalled_cycles > STALL_WINDOW || self.touching > MAX_TOUCHING_CYCLES
-    }
 }
 
 /// Whether any film under pressure is below the contact film.

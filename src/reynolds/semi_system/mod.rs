@@ -12,7 +12,7 @@ use sweeps::{Damping, Sweeps};
 use super::newton_krylov::{NewtonKrylov, NewtonSettings};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
+use super::{ContactSolver, ReynoldsError, StoppingRule};
 use crate::error::InputError;
 use crate::report::{SolveReport, Work};
 use crate::solver_id::SolverId;
@@ -112,22 +112,13 @@ impl ContactSolver for SemiSystem {
         SolverId::SemiSystem
     }
 
-    fn check(
-        &self,
-        problem: &LubricatedContact<'_>,
-        state: &ContactState,
-        stop: &StoppingRule,
-    ) -> Result<(), ReynoldsError> {
-        check_call(problem, state, stop)?;
+    fn unsupported(&self, problem: &LubricatedContact<'_>) -> Option<&'static str> {
         if problem.lubricant.is_none() {
-            let reason = "the problem has no lubricant";
-            return Err(ReynoldsError::WrongSolver { solver: self.id(), reason });
+            return Some("the problem has no lubricant");
         }
-        if problem.is_paper() && problem.grid().is_strip() {
-            let reason = "sweeps of the unified Reynolds model need side edges; take contact = \"hard\"";
-            return Err(ReynoldsError::WrongSolver { solver: self.id(), reason });
-        }
-        Ok(())
+        let has_no_sides = problem.is_paper() && problem.grid().is_strip();
+        has_no_sides
+            .then_some("sweeps of the unified Reynolds model need side edges; take contact = \"hard\"")
     }
 
     fn solve(

@@ -6,6 +6,7 @@
 
 use super::{BearingSolution, RigidBearing};
 use crate::error::InputError;
+use crate::numerics::FalsePosition;
 use crate::sim::error::SimError;
 use crate::sim::scene::{BearingSpec, HeatBalance};
 
@@ -52,38 +53,24 @@ pub(super) fn solve(
     if excess.abs() < TOLERANCE {
         return Ok(first);
     }
-    let mut low = [supply, excess];
-    let mut high = [supply + excess, f64::NAN];
-    let mut last_is_low = None;
+    let (mut low, mut bracket) = ([supply, excess], None::<FalsePosition>);
     for _ in 0..MOST_SOLVES {
-        let known = high[1].is_finite();
-        let temperature =
-            if known { low[0] + low[1] / (low[1] - high[1]) * (high[0] - low[0]) } else { high[0] };
+        let temperature = bracket.map_or(low[0] + low[1], |bracket| bracket.next(0.0));
         let (solution, excess) = at(temperature)?;
         if excess.abs() < TOLERANCE {
             return Ok(solution);
         }
-        let is_low = excess > 0.0;
-        if is_low {
-            low = [temperature, excess];
-            if !known {
-                high[0] = temperature + excess;
-            } else if last_is_low == Some(true) {
-                high[1] *= 0.5;
-            }
-        } else {
-            high = [temperature, excess];
-            if last_is_low == Some(false) {
-                low[1] *= 0.5;
-            }
+        match &mut bracket {
+            Some(bracket) => bracket.add(temperature, excess),
+            None if excess > 0.0 => low = [temperature, excess],
+            None => bracket = Some(FalsePosition::new(low, [temperature, excess], Some(false))),
         }
-        last_is_low = Some(is_low);
     }
+    let [low, high] = bracket.map_or([low[0], low[0] + low[1]], |bracket| bracket.ends());
     Err(InputError::Conflict {
         field: "given_film.supply_temperature".to_owned(),
         reason: format!(
-            "the heat balance does not settle between {:.1} and {:.1} K; more flow, or a smaller heat_share",
-            low[0], high[0]
+            "the heat balance does not settle between {low:.1} and {high:.1} K; more flow, or a smaller heat_share"
         ),
     }
     .into())

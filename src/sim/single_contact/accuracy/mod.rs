@@ -3,6 +3,7 @@
 //! `smooth` picks box and meshes of a smooth contact and extrapolates over three of them. `rough` halves
 //! cells until the estimated errors are small (`contact::mesh_error`). `docs/errors.md` has the evidence.
 
+mod plan;
 mod rough;
 mod smooth;
 

@@ -8,7 +8,7 @@
 //! the spectra of the random surfaces, which must have a shortest wavelength.
 
 use super::WorkUsed;
-use super::smooth::Plan;
+use super::plan::Plan;
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::report::Status;
