@@ -7,6 +7,7 @@ mod absurd_scenes;
 mod accuracy;
 mod analytic;
 mod asperity_inlets;
+mod averaged_film;
 mod bearing_features;
 mod benchmark;
 mod bodies;

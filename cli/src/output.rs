@@ -212,7 +212,8 @@ pub(crate) fn load(path: &Path) -> Result<Scene, String> {
         }
         if text.contains("unknown value `flat`") {
             return format!(
-                "{}: form.kind = \"flat\" is a contact of flat surfaces, which `stribeck solve` takes",
+                "{}: form.kind = \"flat\" is a contact of flat surfaces, which `stribeck solve` takes, one \
+                 load.mean_pressure or load.mean_gap at a time",
                 path.display()
             );
         }

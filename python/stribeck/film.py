@@ -24,6 +24,7 @@ class RigidBearing(Numbers):
     """A journal bearing or a pad of a scene file. ``load`` [N], ``least_film`` [m], ``pressure_max`` [Pa], ``friction_moving`` and
     ``friction_resting`` [N], ``friction_coefficient``, ``cavitated_shear`` [N], ``side_flow`` and ``edge_flows`` [m^3/s], ``power_loss`` [W], ``eta0`` [Pa s],
     ``temperature`` [K], with a heat balance ``supply_temperature``, ``outlet_temperature`` [K] and ``carried_heat`` [W], with grooves ``groove_flow`` [m^3/s],
+    with roughness ``contact_share``, ``contact_area`` [m^2], ``contact_friction`` [N] and ``film_over_rq``,
     ``status``; of a journal ``eccentricity``, ``attitude`` [rad], ``sommerfeld`` and ``force`` [N], towards the widest gap and across."""
 
     __slots__ = ()
@@ -39,6 +40,10 @@ class RigidBearing(Numbers):
     friction_resting: float
     friction_coefficient: float
     cavitated_shear: float
+    contact_share: float | None
+    contact_area: float | None
+    contact_friction: float | None
+    film_over_rq: float | None
     side_flow: float
     edge_flows: list[float]
     groove_flow: float | None

@@ -3,15 +3,17 @@
 use std::f64::consts::{PI, TAU};
 
 use super::ReynoldsError;
-use super::given_film::{Feed, FilmThickness, GivenFilm, GivenFilmSolution};
+use super::given_film::{Feed, FilmThickness, GivenFilm, GivenFilmSolution, MeanRoughness};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::numerics::FalsePosition;
 use crate::with_fields::with_fields;
 
-/// Largest eccentricity of an equilibrium.
+/// Largest eccentricity of an equilibrium of smooth surfaces.
 const MOST_ECCENTRIC: f64 = 0.99;
+/// Least film of an equilibrium of rough surfaces over their root mean square height.
+const LEAST_SEPARATION: f64 = 0.5;
 /// Largest clearance over the radius; the film is that of a thin gap.
 const MOST_CLEARANCE: f64 = 0.1;
 /// Relative error of the load of an equilibrium.
@@ -88,6 +90,8 @@ pub struct JournalBearing<'a> {
     pub cells: [usize; 2],
     /// Grooves in the bush.
     pub grooves: Option<Grooves<'a>>,
+    /// Roughness of journal (lower surface) and bush in the mean.
+    pub roughness: Option<MeanRoughness>,
 }
 
 /// A solved [`JournalBearing`].
@@ -96,10 +100,12 @@ pub struct JournalBearing<'a> {
 pub struct JournalSolution {
     /// Distance of the axes over the clearance.
     pub eccentricity: f64,
-    /// Load \[N\], the magnitude of the force of the film on the journal.
+    /// Load \[N\], the magnitude of the force of film and contact on the journal.
     pub load: f64,
     /// Components of that force \[N\]: towards the widest gap, and across in the direction of rotation there.
     pub force: [f64; 2],
+    /// Share of the load that solid contact carries, its force along the load; 0 for smooth surfaces.
+    pub contact_share: f64,
     /// Attitude angle between the load and the line of centers \[rad\].
     pub attitude: f64,
     /// Sommerfeld number `W psi^2/(L D eta omega)` with `psi = c/R` and the viscosity at ambient pressure.
@@ -116,13 +122,23 @@ impl<'a> JournalBearing<'a> {
     /// A bearing of `[radius, width, clearance]` \[m\] with the angular speed of its journal \[rad/s\], on 180 x 40 cells.
     pub const fn new(size: [f64; 3], angular_speed: f64, lubricant: &'a Lubricant) -> Self {
         let [radius, width, clearance] = size;
-        Self { radius, width, clearance, angular_speed, lubricant, cells: [180, 40], grooves: None }
+        Self {
+            radius,
+            width,
+            clearance,
+            angular_speed,
+            lubricant,
+            cells: [180, 40],
+            grooves: None,
+            roughness: None,
+        }
     }
 }
 
 with_fields!(<'a> JournalBearing<'a> {
     with_cells cells: [usize; 2],
     with_grooves grooves: Option<Grooves<'a>>,
+    with_roughness roughness: Option<MeanRoughness>,
 });
 
 impl JournalBearing<'_> {
@@ -137,7 +153,8 @@ impl JournalBearing<'_> {
     /// The eccentricity at which the film carries `load` \[N\], by false position (Illinois).
     ///
     /// # Errors
-    /// A value out of range, a load that needs an eccentricity above 0.99, a grid that exceeds the memory.
+    /// A value out of range, a load that needs an eccentricity above 0.99 (for rough surfaces also a film below half the root mean square
+    /// height), a grid that exceeds the memory.
     pub fn equilibrium(&self, load: f64) -> Result<JournalSolution, ReynoldsError> {
         self.equilibrium_unless(load, &|| false)
     }
@@ -162,12 +179,13 @@ impl JournalBearing<'_> {
         attitude: f64,
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
-        let mut solution = self.solve_at(MOST_ECCENTRIC, attitude, interrupted)?;
+        let most = self.most_eccentric();
+        let mut solution = self.solve_at(most, attitude, interrupted)?;
         if solution.load < load {
             return Err(InputError::Conflict {
                 field: format!("load = {load} N"),
                 reason: format!(
-                    "the film carries {:.6} N at an eccentricity of {MOST_ECCENTRIC}; a smaller load, a thicker oil, a \
+                    "the film carries {:.6} N at an eccentricity of {most}; a smaller load, a thicker oil, a \
                      higher speed or a smaller clearance",
                     solution.load
                 ),
@@ -176,7 +194,7 @@ impl JournalBearing<'_> {
         }
         // The load is zero at the eccentricity zero and grows with it, steeply near one: where false position is slow,
         // halving brackets the root.
-        let mut bracket = FalsePosition::new([0.0, -load], [MOST_ECCENTRIC, solution.load - load], None);
+        let mut bracket = FalsePosition::new([0.0, -load], [most, solution.load - load], None);
         for _ in 0..MOST_SOLVES {
             if (solution.load / load - 1.0).abs() < LOAD_TOLERANCE {
                 break;
@@ -186,6 +204,12 @@ impl JournalBearing<'_> {
             bracket.add(eccentricity, solution.load - load);
         }
         Ok(solution)
+    }
+
+    /// Largest eccentricity of an equilibrium.
+    fn most_eccentric(&self) -> f64 {
+        let thinnest = |rough: MeanRoughness| 1.0 - LEAST_SEPARATION * rough.composite_rq() / self.clearance;
+        self.roughness.map_or(MOST_ECCENTRIC, |rough| thinnest(rough).max(MOST_ECCENTRIC))
     }
 
     /// Solves unless `interrupted`; grooves have a fixed angle to the load, whose direction is found by iteration.
@@ -249,12 +273,16 @@ impl JournalBearing<'_> {
         let solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0])
             .with_edge_pressures([pressure, pressure, 0.0, 0.0])
             .with_feeds(&feeds)
+            .with_roughness(self.roughness)
             .solve_unless(interrupted)?;
         // The film pushes the journal inwards, against the direction of the angle.
         let groove = middles.first().map_or(0.0, |middle| middle / self.radius);
         let in_groove = 2.0 * pressure * self.radius * self.width * (0.5 * width / self.radius).sin();
-        let [cosine, sine] = self.pressure_moments(&solution);
-        let force = [-cosine - in_groove * groove.cos(), -sine - in_groove * groove.sin()];
+        let [cosine, sine] = self.moments(&solution, &solution.pressure);
+        let contact = solution.contact.as_ref();
+        let contact = contact.map_or([0.0; 2], |contact| self.moments(&solution, &contact.pressure));
+        let force =
+            [-cosine - contact[0] - in_groove * groove.cos(), -sine - contact[1] - in_groove * groove.sin()];
         let load = force[0].hypot(force[1]);
         let psi = self.clearance / self.radius;
         let viscosity = self.lubricant.viscosity().viscosity(0.0);
@@ -263,6 +291,11 @@ impl JournalBearing<'_> {
             eccentricity,
             load,
             force,
+            contact_share: if load > 0.0 {
+                0.0 - (contact[0] * force[0] + contact[1] * force[1]) / (load * load)
+            } else {
+                0.0
+            },
             attitude: (-turn * force[1]).atan2(force[0]),
             sommerfeld: load * psi * psi / (area * viscosity * self.angular_speed.abs()),
             least_film: self.clearance * (1.0 - eccentricity),
@@ -275,11 +308,11 @@ impl JournalBearing<'_> {
         })
     }
 
-    /// Integrals of `p cos phi` and `p sin phi` over the bearing \[N\], by the midpoints of the cells.
-    fn pressure_moments(&self, solution: &GivenFilmSolution) -> [f64; 2] {
+    /// Integrals of `p cos phi` and `p sin phi` of a `pressure` over the bearing \[N\], by the midpoints of the cells.
+    fn moments(&self, solution: &GivenFilmSolution, pressure: &[f64]) -> [f64; 2] {
         let grid = solution.grid();
         let mut moments = [0.0; 2];
-        for ((x, _), pressure) in grid.nodes().zip(&solution.pressure) {
+        for ((x, _), pressure) in grid.nodes().zip(pressure) {
             let (sin, cos) = (x / self.radius).sin_cos();
             moments[0] += pressure * grid.cell_area() * cos;
             moments[1] += pressure * grid.cell_area() * sin;

@@ -45,7 +45,9 @@ pub use dry::Dry;
 pub use evaluation::Evaluation;
 pub(crate) use flow::require_spin;
 pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearThinning};
-pub use given_film::{Feed, FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
+pub use given_film::{
+    Feed, FilmThickness, GivenFilm, GivenFilmSolution, MeanContact, MeanRoughness, SideEdges,
+};
 pub use journal::{Grooves, JournalBearing, JournalSolution};
 pub use multigrid::Multigrid;
 pub use newton_krylov::{NewtonKrylov, NewtonSettings};

@@ -3,7 +3,7 @@
 
 use stribeck::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
 use stribeck::sim::Scene;
-use stribeck::sim::scene::{GridSpec, Roughness};
+use stribeck::sim::scene::{GridSpec, Roughness, SolverModel};
 
 /// Time of the test \[s\].
 pub(crate) const TEST_TIME: f64 = 7200.0;
@@ -46,7 +46,7 @@ const DEFAULT: Case = Case {
 };
 
 /// All variants, in the order of the tables.
-pub(crate) const CASES: [Case; 12] = [
+pub(crate) const CASES: [Case; 14] = [
     DEFAULT,
     Case { name: "contact_film_2nm", change: |scene| scene.solver.film_cutoff = 2e-9, ..DEFAULT },
     Case { name: "contact_film_5nm", change: |scene| scene.solver.film_cutoff = 5e-9, ..DEFAULT },
@@ -57,6 +57,8 @@ pub(crate) const CASES: [Case; 12] = [
     Case { name: "mesh_64", steps: 40, seeds: 2, ..DEFAULT },
     Case { name: "mesh_128", cells: 128, steps: 40, seeds: 2, ..DEFAULT },
     Case { name: "mesh_256", cells: 256, steps: 40, seeds: 1, ..DEFAULT },
+    Case { name: "inlets_128", cells: 128, steps: 40, seeds: 2, change: inlets, ..DEFAULT },
+    Case { name: "inlets_512", cells: 512, steps: 40, seeds: 1, change: inlets, ..DEFAULT },
     Case { name: "published_flow", steps: 40, seeds: 2, change: published_flow, ..DEFAULT },
     Case { name: "published", steps: 40, seeds: 2, change: published, ..DEFAULT },
 ];
@@ -67,6 +69,11 @@ fn published_flow(scene: &mut Scene) {
     scene.solver.scheme = Some(Scheme::FirstOrder);
     scene.solver.face_mobility = Some(FaceMobility::Arithmetic);
     scene.solver.cavitation = Some(Cavitation::Reynolds);
+}
+
+/// Contacts by the inlets of their asperities.
+fn inlets(scene: &mut Scene) {
+    scene.solver.model = SolverModel::AsperityInlets;
 }
 
 /// Flow, cavitation and solid contact as published. Its sweeps take seven thousand convolutions to a residual

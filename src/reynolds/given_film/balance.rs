@@ -144,7 +144,7 @@ impl<'a> Balance<'a> {
         let drag = 12.0 * problem.lubricant.viscosity().viscosity(0.0) * unit;
         let mut faces = Vec::with_capacity((nx + 1) * ny);
         for (j, i) in (0..ny).flat_map(|j| (0..=nx).map(move |i| (j, i))) {
-            let [first, second] = film.along(i, j).pieces;
+            let [first, second] = problem.pieces(film, i, j);
             let whole = first.and(second);
             faces.push(Face {
                 film: entrained * whole.film(),
@@ -158,7 +158,7 @@ impl<'a> Balance<'a> {
         let mut across = Vec::with_capacity(nx * (ny + 1));
         for (j, i) in (0..=ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
             let shut = closed && (j == 0 || j == ny);
-            across.push(if shut { 0.0 } else { aspect / (drag * film.across(i, j)) });
+            across.push(if shut { 0.0 } else { aspect / (drag * problem.cubes_across(film, i, j)) });
         }
         let [q_cavitation, slope, density, _] = point(problem.lubricant, problem.cavitation_pressure);
         let edges = problem.edge_pressures.map(|pressure| {
@@ -170,7 +170,7 @@ impl<'a> Balance<'a> {
             let k = j * nx + i;
             let [west, east] = [0, 1].map(|side| faces[j * (nx + 1) + i + side]);
             let conductances = west.conductance + east.conductance + across[k] + across[k + nx];
-            let [first, second] = film.along(i + 1, j).pieces;
+            let [first, second] = problem.pieces(film, i + 1, j);
             scale.push(density * first.and(second).film() / (slope * conductances));
             rupture_ratio.push(conductances / (conductances - east.conductance + east.first_conductance));
         }

@@ -1,6 +1,6 @@
 //! Rigid surfaces with a prescribed film: pressure and film fraction by the Reynolds equation.
 //!
-//! This module is independent of the coupled contact: no deformation, load balance or solid contact. It
+//! This module is independent of the coupled contact: no deformation, and solid contact only in the mean. It
 //! treats textured bearings and sliders, and tests cavitation against closed forms.
 //!
 //! | file | content |
@@ -9,6 +9,7 @@
 //! | `feed` | grooves and holes with a prescribed pressure |
 //! | `balance` | mass balances of the cells |
 //! | `newton`, `linear` | Newton's method; its linear systems |
+//! | `roughness` | mean flow and mean contact of rough surfaces |
 //! | `row`, `solution` | pressure profiles of the rows; forces, flows and reformation |
 
 mod balance;
@@ -16,11 +17,13 @@ mod feed;
 mod film;
 mod linear;
 mod newton;
+mod roughness;
 mod row;
 mod solution;
 
 pub use feed::Feed;
 pub use film::FilmThickness;
+pub use roughness::{MeanContact, MeanRoughness};
 pub use solution::GivenFilmSolution;
 
 use super::ReynoldsError;
@@ -119,6 +122,8 @@ pub struct GivenFilm<'a> {
     pub sides: SideEdges,
     /// Grooves and holes.
     pub feeds: &'a [Feed],
+    /// Roughness of both surfaces in the mean; smooth surfaces without it.
+    pub roughness: Option<MeanRoughness>,
 }
 
 impl<'a> GivenFilm<'a> {
@@ -133,6 +138,7 @@ impl<'a> GivenFilm<'a> {
             cavitation_pressure: 0.0,
             sides: SideEdges::Ambient,
             feeds: &[],
+            roughness: None,
         }
     }
 }
@@ -143,6 +149,7 @@ with_fields!(<'a> GivenFilm<'a> {
     with_cavitation_pressure cavitation_pressure: f64,
     with_sides sides: SideEdges,
     with_feeds feeds: &'a [Feed],
+    with_roughness roughness: Option<MeanRoughness>,
 });
 
 impl GivenFilm<'_> {
@@ -155,7 +162,7 @@ impl GivenFilm<'_> {
     /// Solves by Newton's method with a direct factorization, from coarser grids to that of the film.
     ///
     /// # Errors
-    /// Speeds or pressures that are not finite, a cavitation pressure above that of an edge or feed, a feed without a
+    /// Speeds or pressures that are not finite, speeds of both signs with roughness, a cavitation pressure above that of an edge or feed, a feed without a
     /// node, a grid that exceeds the memory.
     pub fn solve(&self) -> Result<GivenFilmSolution, ReynoldsError> {
         self.solve_unless(|| false)
@@ -199,6 +206,7 @@ impl GivenFilm<'_> {
                 "finite and at least the cavitation pressure",
             )?;
         }
+        self.validate_roughness()?;
         let grid = self.film.grid();
         let mut feeds = self.feeds.iter().enumerate();
         feeds.try_for_each(|(index, feed)| feed.validate(index, grid, self.cavitation_pressure))

@@ -2,7 +2,7 @@
 //!
 //! Between two nodes the pressure is linear on each piece, with a kink at the joint. The load is the integral
 //! of this profile. The friction on each surface is `theta eta (u_2 - u_1)/h`, with the film fraction `theta`,
-//! plus its share `h/2 dp/dx` of the pressure force. The film reforms where the entrained fluid fills the gap.
+//! plus its share `h/2 dp/dx` of the pressure force, with the factors of the roughness. The film reforms where the entrained fluid fills the gap.
 
 use super::film::FilmThickness;
 use super::newton::Solved;
@@ -91,7 +91,7 @@ impl Row {
     fn walk(&mut self, problem: &GivenFilm<'_>, solved: &Solved<'_>, segment: &Segment) {
         let Segment { node: [i, j], from: x, lengths, pressures } = *segment;
         let balance = &solved.balance;
-        let pieces = problem.film.along(i, j).pieces;
+        let pieces = problem.pieces(problem.film, i, j);
         let [first, second] = balance.ends_along(i, j);
         let flow = balance.flow_along(i, j);
         let density = 0.5 * (first.density + second.density);
@@ -138,8 +138,9 @@ impl Row {
             first.theta
         };
         let ends = [[pressures[0], middle], [middle, pressures[1]]];
+        let nominal = problem.film.along(i, j).pieces;
         for (((piece, length), theta), ends) in
-            pieces.iter().zip(lengths).zip([first.theta, behind]).zip(ends)
+            nominal.iter().zip(lengths).zip([first.theta, behind]).zip(ends)
         {
             self.shear(problem, piece.film(), (length, theta), ends);
         }
@@ -156,12 +157,13 @@ impl Row {
         let sliding = problem.speeds[1] - problem.speeds[0];
         let viscosity = problem.lubricant.viscosity().viscosity(0.5 * (from + to));
         let by_sliding = viscosity * theta * sliding * length / film;
-        let by_pressure = 0.5 * film * (to - from);
+        let [lower, upper, gradient] = problem.roughness.map_or([1.0; 3], |rough| rough.shear_factors(film));
+        let by_pressure = gradient * 0.5 * film * (to - from);
         if theta < 1.0 {
-            self.cavitated_shear += by_sliding.abs();
+            self.cavitated_shear += 0.5 * (lower + upper) * by_sliding.abs();
         }
-        self.friction[0] += by_sliding - by_pressure;
-        self.friction[1] -= by_sliding + by_pressure;
+        self.friction[0] += lower * by_sliding - by_pressure;
+        self.friction[1] -= upper * by_sliding + by_pressure;
     }
 }
 

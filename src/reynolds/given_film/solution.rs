@@ -3,7 +3,7 @@
 use super::balance::Balance;
 use super::newton::{self, Solved};
 use super::row::{Row, edges, lengths};
-use super::{EAST, Feed, GivenFilm, NORTH, SOUTH, WEST};
+use super::{EAST, Feed, GivenFilm, MeanContact, NORTH, SOUTH, WEST};
 use crate::grid::Grid;
 use crate::report::{Residuals, SolveReport, Status, Work};
 use crate::reynolds::FlowBalance;
@@ -39,10 +39,10 @@ pub struct GivenFilmSolution {
     pub pressure: Vec<f64>,
     /// Film fraction of the nodes. In the cell of reformation it gives the position of the front.
     pub theta: Vec<f64>,
-    /// Integral of the pressure over the box \[N\], ambient pressure included.
+    /// Integral of the pressure over the box \[N\], ambient pressure and contact included.
     pub load: f64,
     /// Shear force of the fluid on the lower and on the upper surface along +x \[N\], `S - P` and `-S - P`, with
-    /// the integrals `S` of `theta eta (u_2 - u_1)/h` and `P` of `h/2 dp/dx`.
+    /// the integrals `S` of `theta eta (u_2 - u_1)/h` and `P` of `h/2 dp/dx`. Rough surfaces have factors of both and the friction of contact.
     pub friction: [f64; 2],
     /// Part of `S` in cavitated fluid, where the film fraction is below one \[N\], its absolute value.
     pub cavitated_shear: f64,
@@ -55,6 +55,8 @@ pub struct GivenFilmSolution {
     pub side_flow: f64,
     /// Power of both surfaces against friction \[W\]: less the sum of forces times speeds.
     pub power_loss: f64,
+    /// Solid contact of rough surfaces.
+    pub contact: Option<MeanContact>,
     /// Flow into and out of the box and the feeds \[m^3/s at the density of zero pressure\]; the imbalance is at most 1e-10
     /// if the solve converged.
     pub flow: FlowBalance,
@@ -104,7 +106,7 @@ impl GivenFilmSolution {
 /// Solves a problem with valid fields; `None` if `interrupted`.
 pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
     let speed = problem.entrainment_speed();
-    if speed < 0.0 {
+    let mut solution = if speed < 0.0 {
         let film = problem.film.mirrored();
         let speeds = problem.speeds.map(|speed| -speed);
         let [west, east, south, north] = problem.edge_pressures;
@@ -114,10 +116,12 @@ pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> 
         let mirrored = GivenFilm { film: &film, speeds, edge_pressures, feeds: &feeds, ..*problem };
         let mut solution = forward(&mirrored, -speed, interrupted)?;
         solution.mirror();
-        Some(solution)
+        solution
     } else {
-        forward(problem, speed, interrupted)
-    }
+        forward(problem, speed, interrupted)?
+    };
+    solution.add_contact(problem);
+    Some(solution)
 }
 
 /// Solves with entrainment along +x or without entrainment.
@@ -156,6 +160,7 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
         feed_flows: vec![0.0; problem.feeds.len()],
         side_flow: 0.0,
         power_loss: drag * (problem.speeds[1] - problem.speeds[0]),
+        contact: None,
         flow: FlowBalance::default(),
         coarse_steps: 0,
         report: report(Status::Converged, 0.0, 0, 0),
@@ -185,6 +190,7 @@ fn flowing(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilm
         feed_flows: feed_flows(problem, &balance).map(|flow| flow * unit).collect(),
         side_flow: edge_flows[SOUTH] + edge_flows[NORTH],
         power_loss: -friction.iter().zip(problem.speeds).map(|(force, speed)| force * speed).sum::<f64>(),
+        contact: None,
         flow: FlowBalance {
             inflow: boundary_flux.inflow * unit,
             outflow: boundary_flux.outflow * unit,

@@ -5,17 +5,19 @@ mod relief;
 
 use std::path::Path;
 
+use crate::analytic::GreenwoodTripp;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::{
-    FilmThickness, GivenFilm, GivenFilmSolution, Grooves, JournalBearing, JournalSolution,
+    FilmThickness, GivenFilm, GivenFilmSolution, Grooves, JournalBearing, JournalSolution, MeanRoughness,
 };
 use crate::sim::contact::oil;
 use crate::sim::contact::warnings::{Warning, given_film_warnings};
 use crate::sim::error::SimError;
 use crate::sim::scene::{
-    BearingFile, BearingSpec, GrooveSpec, HeatBalance, JournalPosition, LubricantSpec, PadRelief, read_tables,
+    BearingFile, BearingSpec, GrooveSpec, HeatBalance, JournalPosition, LubricantSpec, PadRelief,
+    RoughnessSpec, read_tables,
 };
 use crate::text_file;
 
@@ -48,6 +50,8 @@ pub struct RigidBearing {
     pub relief: Option<PadRelief>,
     /// Grooves of a journal.
     pub grooves: Option<GrooveSpec>,
+    /// Roughness of both surfaces in the mean; smooth surfaces without it.
+    pub roughness: Option<RoughnessSpec>,
     /// Cells along and across the motion.
     pub cells: [usize; 2],
 }
@@ -56,7 +60,7 @@ pub struct RigidBearing {
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct BearingNumbers {
-    /// Load \[N\]: of a journal the magnitude of the force of the film.
+    /// Load \[N\]: of a journal the magnitude of the force of film and contact.
     pub load: f64,
     /// Components of that force along the line of centers, towards the widest gap, and across \[N\].
     pub force: Option<[f64; 2]>,
@@ -78,6 +82,14 @@ pub struct BearingNumbers {
     pub friction_coefficient: f64,
     /// Shear force on either surface by cavitated fluid \[N\].
     pub cavitated_shear: f64,
+    /// Share of the load that solid contact of rough surfaces carries.
+    pub contact_share: Option<f64>,
+    /// Area of contact \[m^2\].
+    pub contact_area: Option<f64>,
+    /// Part of the friction by solid contact \[N\].
+    pub contact_friction: Option<f64>,
+    /// Least film over the root mean square height of both surfaces together.
+    pub film_over_rq: Option<f64>,
     /// Flow out through both sides \[m^3/s\].
     pub side_flow: f64,
     /// Flow out through inlet, outlet and both sides of a pad; through both ends of the film of a journal and both sides
@@ -129,6 +141,7 @@ impl RigidBearing {
             edge_pressures: table.edge_pressures().map_err(refused)?,
             relief: table.relief().map_err(refused)?,
             grooves: table.grooves().map_err(refused)?,
+            roughness: table.roughness(),
             cells: table.cells(),
             lubricant: file.lubricant,
             temperature: file.thermal.bulk_temperature,
@@ -197,6 +210,7 @@ impl RigidBearing {
                 let grooves = grooves.map(|spec| Grooves::new(&spec.angles, spec.width, spec.pressure));
                 let journal = JournalBearing::new([radius, width, clearance], speed / radius, lubricant)
                     .with_cells(self.cells)
+                    .with_roughness(self.mean_roughness()?)
                     .with_grooves(grooves);
                 let solved = match position {
                     JournalPosition::Eccentricity(eccentricity) => {
@@ -224,6 +238,17 @@ impl RigidBearing {
         }
     }
 
+    /// The roughness of both surfaces.
+    fn mean_roughness(&self) -> Result<Option<MeanRoughness>, InputError> {
+        let rough = |spec: &RoughnessSpec| {
+            let contact =
+                GreenwoodTripp::new(spec.asperity_number, spec.rq_over_radius, spec.equivalent_modulus)?;
+            MeanRoughness::new(spec.rq, spec.gamma, contact, spec.boundary_friction)
+        };
+        let found = self.roughness.as_ref().map(rough).transpose();
+        found.map_err(|error| error.within("given_film.roughness"))
+    }
+
     /// The lubricant at `temperature` \[K\].
     fn lubricant(&self, temperature: f64) -> Result<Lubricant, InputError> {
         let spec = &self.lubricant;
@@ -247,12 +272,14 @@ impl RigidBearing {
                 grid,
                 |x, _| if x < 0.5 * grid.size_x() { films[0] } else { films[1] },
             )?;
-        let warnings = given_film_warnings(&GivenFilm::new(&film, lubricant, [speed, 0.0]), &solved.film);
+        let problem = GivenFilm::new(&film, lubricant, [speed, 0.0]).with_roughness(self.mean_roughness()?);
+        let warnings = given_film_warnings(&problem, &solved.film);
         let numbers = BearingNumbers {
             force: Some(solved.force),
             attitude: Some(solved.attitude),
             eccentricity: Some(solved.eccentricity),
             sommerfeld: Some(solved.sommerfeld),
+            contact_share: self.roughness.is_some().then_some(solved.contact_share),
             groove_flow: self.grooves.is_some().then_some(solved.groove_flow),
             ..self.numbers(lubricant, solved.load, solved.least_film, &solved.film)
         };
@@ -274,7 +301,9 @@ impl RigidBearing {
         InputError::require_positive("given_film.outlet_film", thickness(length))?;
         let grid = Grid::from_edges(self.cells[0], self.cells[1], [0.0, length], [0.0, width])?;
         let film = relief::film(self.relief.as_ref(), grid, thickness)?;
-        let problem = GivenFilm::new(&film, lubricant, [speed, 0.0]).with_edge_pressures(self.edge_pressures);
+        let problem = GivenFilm::new(&film, lubricant, [speed, 0.0])
+            .with_edge_pressures(self.edge_pressures)
+            .with_roughness(self.mean_roughness()?);
         let solved = problem.solve_unless(interrupted).map_err(in_table)?;
         let warnings = given_film_warnings(&problem, &solved);
         let least = if self.relief.is_some() {
@@ -298,6 +327,7 @@ impl RigidBearing {
         film: &GivenFilmSolution,
     ) -> BearingNumbers {
         let [moving, resting] = film.friction;
+        let contact = film.contact.as_ref();
         BearingNumbers {
             load,
             force: None,
@@ -310,6 +340,10 @@ impl RigidBearing {
             friction_resting: resting,
             friction_coefficient: if load > 0.0 { -moving / load } else { f64::NAN },
             cavitated_shear: film.cavitated_shear,
+            contact_share: contact.map(|contact| contact.load / load),
+            contact_area: contact.map(|contact| contact.area),
+            contact_friction: contact.map(|contact| contact.friction),
+            film_over_rq: contact.map(|contact| contact.least_separation),
             side_flow: film.side_flow,
             edge_flows: film.edge_flows,
             groove_flow: None,

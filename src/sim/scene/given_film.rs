@@ -121,6 +121,39 @@ pub struct GrooveSpec {
     pub pressure: f64,
 }
 
+/// Roughness of a bearing in the mean: [`MeanRoughness`](crate::reynolds::MeanRoughness). Its table is `[given_film.roughness]`.
+///
+/// ```
+/// use stribeck::sim::scene::RoughnessSpec;
+/// let lapped = RoughnessSpec {
+///     rq: [0.2e-6, 0.3e-6], gamma: 1.0, asperity_number: 0.05, rq_over_radius: 0.01, equivalent_modulus: 230e9,
+///     boundary_friction: 0.1,
+/// };
+/// assert_eq!(lapped.gamma, 1.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RoughnessSpec {
+    /// Root mean square heights of the moving and of the resting surface \[m\].
+    pub rq: [f64; 2],
+    /// Peklenik number: correlation length along the motion over that across.
+    #[serde(default = "isotropic")]
+    pub gamma: f64,
+    /// Density times radius of the asperities times root mean square height.
+    pub asperity_number: f64,
+    /// Root mean square height over radius of the asperities.
+    pub rq_over_radius: f64,
+    /// Equivalent modulus of both bodies \[Pa\].
+    pub equivalent_modulus: f64,
+    /// Friction coefficient of solid contact.
+    pub boundary_friction: f64,
+}
+
+/// Peklenik number of isotropic roughness.
+fn isotropic() -> f64 {
+    1.0
+}
+
 /// Heat balance of a bearing: the through-flow of oil carries a share of the power loss, and the oil has the mean of supply and
 /// outlet temperature (ISO 7902-1).
 ///
@@ -207,6 +240,8 @@ keyed! {
         heat_capacity: f64,
         /// Share of the power loss that the oil carries.
         heat_share: f64,
+        /// Roughness of both surfaces.
+        roughness: RoughnessSpec,
         /// Cells along the motion.
         nx: usize,
         /// Cells across it.
@@ -217,6 +252,8 @@ keyed! {
 /// Keys of pads beside those of their shape.
 const PAD_KEYS: [&str; 6] =
     ["edge_pressures", "dimple_diameter", "dimple_depth", "dimple_density", "heights", "spacing"];
+/// Keys of every kind.
+const COMMON_KEYS: [&str; 1] = ["roughness"];
 /// Keys of the grooves of a journal.
 const GROOVE_KEYS: [&str; 3] = ["groove_angles", "groove_width", "supply_pressure"];
 /// Keys of the heat balance.
@@ -251,6 +288,11 @@ impl BearingTable {
                 )
             }),
         }
+    }
+
+    /// Roughness of both surfaces.
+    pub(in crate::sim) fn roughness(&self) -> Option<RoughnessSpec> {
+        self.roughness
     }
 
     /// Relief of a pad.
@@ -306,7 +348,8 @@ impl BearingTable {
     pub(in crate::sim) fn spec(&self) -> Result<BearingSpec, String> {
         let speed = required("speed", self.speed)?;
         let pad = |known: &[&str]| {
-            let known: Vec<&str> = known.iter().chain(&PAD_KEYS).chain(&HEAT_KEYS).copied().collect();
+            let known: Vec<&str> =
+                known.iter().chain(&PAD_KEYS).chain(&HEAT_KEYS).chain(&COMMON_KEYS).copied().collect();
             self.reject_unknown_fields("this kind of pad", &known)?;
             let inlet_film = required("inlet_film", self.inlet_film)?;
             let outlet_film = required("outlet_film", self.outlet_film)?;
@@ -316,7 +359,8 @@ impl BearingTable {
         Ok(match self.kind {
             BearingKind::Journal => {
                 let own = ["diameter", "width", "clearance", "eccentricity", "load", "speed", "nx", "ny"];
-                let known: Vec<&str> = own.iter().chain(&GROOVE_KEYS).chain(&HEAT_KEYS).copied().collect();
+                let known: Vec<&str> =
+                    own.iter().chain(&GROOVE_KEYS).chain(&HEAT_KEYS).chain(&COMMON_KEYS).copied().collect();
                 self.reject_unknown_fields("kind = \"journal\"", &known)?;
                 let position = match (self.eccentricity, self.load) {
                     (Some(eccentricity), None) => JournalPosition::Eccentricity(eccentricity),

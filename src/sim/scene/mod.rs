@@ -56,7 +56,7 @@ pub(in crate::sim) use files::read_tables;
 #[cfg(feature = "serde")]
 pub(in crate::sim) use given_film::BearingFile;
 #[cfg(feature = "serde")]
-pub use given_film::{BearingSpec, GrooveSpec, HeatBalance, JournalPosition, PadRelief};
+pub use given_film::{BearingSpec, GrooveSpec, HeatBalance, JournalPosition, PadRelief, RoughnessSpec};
 pub use grid::GridSpec;
 pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};

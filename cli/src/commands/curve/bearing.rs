@@ -34,6 +34,13 @@ const COLUMNS: [Column; 9] = [
     ("temperature_K", |numbers| numbers.temperature),
 ];
 
+/// Further columns of rough surfaces.
+const ROUGH_COLUMNS: [Column; 3] = [
+    ("contact_share", |numbers| numbers.contact_share.unwrap_or(f64::NAN)),
+    ("contact_friction_N", |numbers| numbers.contact_friction.unwrap_or(f64::NAN)),
+    ("film_over_rq", |numbers| numbers.film_over_rq.unwrap_or(f64::NAN)),
+];
+
 /// Computes the curve of `bearing`.
 pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, Box<dyn Error>> {
     for (option, given) in [
@@ -43,7 +50,7 @@ pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, B
     ] {
         if given {
             return Err(format!(
-                "{option}: a rigid bearing is one film of smooth surfaces, its curve is a table"
+                "{option}: a rigid bearing is one film without random surfaces, its curve is a table"
             )
             .into());
         }
@@ -61,7 +68,8 @@ pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, B
     interrupt::listen("the curve ends here and keeps its finished points")?;
     let mut file = File::create(&path).map_err(|error| files::named(&path, &error))?;
     let over = options.over.column(false);
-    let columns: Vec<_> = COLUMNS.iter().filter(|(name, _)| *name != over).collect();
+    let rough = ROUGH_COLUMNS.iter().filter(|_| bearing.roughness.is_some());
+    let columns: Vec<_> = COLUMNS.iter().chain(rough).filter(|(name, _)| *name != over).collect();
     let names = columns.iter().map(|(name, _)| *name);
     writeln!(file, "{}", [over].into_iter().chain(names).collect::<Vec<_>>().join(","))?;
     let (mut points, mut said): (Vec<Value>, Vec<String>) = (Vec::new(), Vec::new());
@@ -98,7 +106,7 @@ pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, B
         writeln!(file, "{}", cells.join(","))?;
         if !options.output.json {
             if points.is_empty() {
-                output::print(&header(options.over))?;
+                output::print(&header(options.over, bearing.roughness.is_some()))?;
             }
             output::print(&line(options.over, value, &solution.numbers))?;
         }
@@ -122,9 +130,10 @@ fn cell(number: f64) -> String {
     if number.is_nan() { String::new() } else { format!("{number:e}") }
 }
 
-fn header(over: Axis) -> String {
+fn header(over: Axis, is_rough: bool) -> String {
+    let solids = if is_rough { "   solids, %" } else { "" };
     format!(
-        "{:>11} {:>12} {:>12} {:>10} {:>10} {:>12} {:>10}",
+        "{:>11} {:>12} {:>12} {:>10} {:>10} {:>12} {:>10}{solids}",
         over.heading(false),
         "load, N",
         "film, um",
@@ -136,8 +145,9 @@ fn header(over: Axis) -> String {
 }
 
 fn line(over: Axis, value: f64, numbers: &BearingNumbers) -> String {
+    let solids = numbers.contact_share.map_or_else(String::new, |share| format!(" {:11.3}", 100.0 * share));
     format!(
-        "{} {:12.4e} {:12.4} {:10.5} {:10.4} {:12.4} {:10.2}",
+        "{} {:12.4e} {:12.4} {:10.5} {:10.4} {:12.4} {:10.2}{solids}",
         over.cell(value),
         numbers.load,
         1e6 * numbers.least_film,

@@ -26,7 +26,9 @@ pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, 
     let (status, grid) = (solution.film.report.status, solution.film.grid());
     output::warn(&solution.warnings);
     if let Some(path) = &options.fields {
-        write_fields(path, &grid, &[("pressure", &solution.film.pressure), ("theta", &solution.film.theta)])?;
+        let mut fields = vec![("pressure", &solution.film.pressure[..]), ("theta", &solution.film.theta[..])];
+        fields.extend(solution.film.contact.as_ref().map(|solid| ("contact_pressure", &solid.pressure[..])));
+        write_fields(path, &grid, &fields)?;
     }
     let mut numbers = serde_json::to_value(solution.numbers)?;
     numbers["status"] = serde_json::to_value(status)?;
@@ -67,6 +69,7 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
         ),
         format!("power      {:.4} W{per} lost by friction", numbers.power_loss),
     ]);
+    lines.extend(solids(numbers, per));
     lines.extend(flows(bearing, numbers, per));
     lines.push(format!(
         "oil        {:.4} mPa s at {:.2} degC",
@@ -75,6 +78,17 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
     ));
     lines.extend(heat(numbers, per));
     lines.join("\n")
+}
+
+/// Solid contact of rough surfaces.
+fn solids(numbers: &BearingNumbers, per: &str) -> Option<String> {
+    Some(format!(
+        "contact    {:.2} % of the load on solids, on {:.4e} mm^2{per}; {:.4} N{per} of the friction; least film {:.3} Rq",
+        100.0 * numbers.contact_share?,
+        1e6 * numbers.contact_area?,
+        numbers.contact_friction?,
+        numbers.film_over_rq?
+    ))
 }
 
 /// Flows through the edges, and from grooves.

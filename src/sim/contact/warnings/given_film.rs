@@ -8,7 +8,8 @@ use crate::reynolds::{GivenFilm, GivenFilmSolution};
 const LARGEST_PRESSURE: f64 = 1e9;
 
 /// Warnings about implausible values of a film between rigid surfaces and of its `solution`: viscosity `eta0` and
-/// pressure-viscosity coefficient `alpha` at ambient pressure, thinnest and thickest `film`, `pressure.max`.
+/// pressure-viscosity coefficient `alpha` at ambient pressure, thinnest and thickest `film`, `pressure.max`, and `film_over_rq` of rough surfaces
+/// below the range of the flow factors.
 ///
 /// # Examples
 ///
@@ -41,5 +42,21 @@ pub fn given_film_warnings(problem: &GivenFilm<'_>, solution: &GivenFilmSolution
             Warning::new("pressure.max", largest, message, "solve a contact of elastic bodies".to_owned())
         }),
     ];
-    checks.into_iter().flatten().collect()
+    let warnings = checks.into_iter().flatten();
+    warnings.chain(too_close(problem, solution)).collect()
+}
+
+/// Warning about a film thinner than those for which the flow factors hold.
+fn too_close(problem: &GivenFilm<'_>, solution: &GivenFilmSolution) -> Option<Warning> {
+    let (rough, contact) = (problem.roughness?, solution.contact.as_ref()?);
+    let (least, lowest) = (contact.least_separation, rough.flow.least_separation());
+    (least < lowest).then(|| {
+        let message = format!(
+            "flow factors hold from {} Rq on for the Peklenik number {}; asperities touch more widely there than the mean contact assumes",
+            short(lowest),
+            short(rough.flow.gamma())
+        );
+        let remedy = "a thicker film: a lower load, a higher speed or a thicker oil".to_owned();
+        Warning::new("film_over_rq", least, message, remedy)
+    })
 }
