@@ -3,7 +3,7 @@
 use stribeck::sim::scene::{GridSpec, LubricantSpec, Roughness, SolverKind, SolverModel};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, SimError, solve_contact};
 use stribeck::surface::{Autocorrelation, Form, Heights, RoughnessSpec, generate};
-use stribeck::{Grid, SolverId};
+use stribeck::{Grid, SolverId, Status};
 
 /// A row of `docs/reference.csv`.
 struct Limit {
@@ -122,7 +122,7 @@ fn total_pressure_is_that_of_the_dry_contact_and_the_model_is_named() {
 #[test]
 fn scenes_outside_the_range_are_rejected_by_name() {
     type Change = fn(&mut Scene);
-    let cases: [(Change, &str); 8] = [
+    let cases: [(Change, &str); 9] = [
         (|s| s.lubricant = None, "needs a lubricant"),
         (|s| s.solver.kind = SolverKind::NewtonKrylov, "solver.kind"),
         (|s| s.solver.contact = stribeck::reynolds::ContactDefinition::UnifiedReynolds, "solver.contact"),
@@ -131,6 +131,7 @@ fn scenes_outside_the_range_are_rejected_by_name() {
             "supplied_film",
         ),
         (|s| s.motion.spin_radius = Some(1.0), "motion.spin_radius"),
+        (|s| s.motion.slide_roll_ratio = -2.5, "motion.slide_roll_ratio"),
         (|s| s.solver.estimate = true, "solver.estimate"),
         (|s| s.solver.film_cutoff = 0.0, "solver.film_cutoff"),
         (|s| s.motion.entrainment_speed = -0.1, "motion.entrainment_speed"),
@@ -141,6 +142,13 @@ fn scenes_outside_the_range_are_rejected_by_name() {
         let error = solve_contact(&scene).unwrap_err();
         assert!(matches!(error, SimError::Input(_)) && error.to_string().contains(named), "{error}");
     }
+}
+
+#[test]
+fn unconverged_dry_contact_is_a_status() {
+    let mut scene = scene();
+    scene.solver.max_iterations = 1;
+    assert_eq!(solve_contact(&scene).unwrap().report.status, Status::MaxIterations);
 }
 
 #[test]

@@ -41,7 +41,8 @@ fn asperity_moments_are_those_of_the_published_table_and_of_quadrature() {
     }
     for separation in [-2.0, 0.0, 0.7, 2.3, 4.0] {
         for order in [1.0_f64, 2.0, 2.5] {
-            let exact = integral(0.0, 12.0, |t| t.powf(order) * gaussian(separation + t));
+            let exact =
+                integral(0.0, 3.5, |r| 2.0 * r.powf(2.0 * order + 1.0) * gaussian(separation + r * r));
             assert!((asperity_moment(order, separation) / exact - 1.0).abs() < 1e-9, "{order} {separation}");
         }
     }
@@ -79,6 +80,26 @@ fn pressure_flow_factors_grow_with_the_peklenik_number_between_the_exact_means_o
     assert!((along - one - share * (three - one)).abs() < 1e-12);
 }
 
+/// Sinusoidal ridges of the amplitude `a h`: the conductance of the mean film times `(1 - a^2)^2.5/(1 + a^2/2)` across the flow, `1 + 1.5 a^2` along it.
+#[test]
+fn resolved_ridges_have_their_exact_mean_conductance() {
+    let (oil, h, waves) = (oil(), 1e-6, 8.0);
+    for amplitude in [0.2_f64, 0.5, 0.8] {
+        let square = amplitude * amplitude;
+        let exact = [(1.0 - square).powf(2.5) / (1.0 + 0.5 * square), 1.0 + 1.5 * square];
+        for (cells, exact, is_along) in [([256, 3], exact[0], false), ([3, 256], exact[1], true)] {
+            let grid = Grid::from_edges(cells[0], cells[1], [0.0, 0.01], [0.0, 0.01]).unwrap();
+            let wave = |place: f64| h * (1.0 + amplitude * (2.0 * PI * waves * place / 0.01).cos());
+            let film = FilmThickness::from_function(grid, |x, y| wave(if is_along { y } else { x })).unwrap();
+            let slot = GivenFilm::new(&film, &oil, [0.0, 0.0])
+                .with_edge_pressures([1e5, 0.0, 0.0, 0.0])
+                .with_sides(SideEdges::Closed);
+            let found = slot.solve().unwrap().edge_flows[1] * 12.0 * ETA / (h.powi(3) * 1e5);
+            assert!((found / exact - 1.0).abs() < 0.01, "{amplitude} {is_along}: {found} {exact}");
+        }
+    }
+}
+
 /// The closed form is that of the paper, which leaves out a term of the least gap.
 #[test]
 fn mean_shear_stress_is_the_mean_over_the_gaps() {
@@ -112,14 +133,14 @@ fn slot_of_rough_planes_has_the_mean_flows_and_shear_stresses() {
             rest.with_edge_pressures([1e5, 0.0, 0.0, 0.0]).with_sides(SideEdges::Closed).solve().unwrap();
         let smooth = h.powi(3) * 1e5 / (12.0 * ETA);
         assert!((driven.edge_flows[1] / (along * smooth) - 1.0).abs() < 1e-8, "{gamma}");
-        // Across: a slot so long that the flow near its ends does not count.
-        let wide = Grid::from_edges(200, 10, [0.0, 0.2], [0.0, 0.01]).unwrap();
-        let wide = FilmThickness::from_function(wide, |_, _| h).unwrap();
-        let sides =
-            GivenFilm { film: &wide, ..rest }.with_edge_pressures([5e4, 5e4, 1e5, 0.0]).solve().unwrap();
-        assert!((sides.pressure[100 + 200 * 2] / 7.5e4 - 1.0).abs() < 1e-6);
-        let flow = 0.5 * (sides.edge_flows[3] - sides.edge_flows[2]);
-        assert!((flow / (20.0 * across * smooth) - 1.0).abs() < 0.01, "{gamma}: {flow}");
+        // Across: two lengths differ by the slot between them, without the flow near the ends.
+        let [long, short] = [(0.4, 200), (0.2, 100)].map(|(length, cells)| {
+            let grid = Grid::from_edges(cells, 10, [0.0, length], [0.0, 0.01]).unwrap();
+            let film = FilmThickness::from_function(grid, |_, _| h).unwrap();
+            let slot = GivenFilm::new(&film, &oil, [0.0, 0.0]).with_roughness(rest.roughness);
+            slot.with_edge_pressures([5e4, 5e4, 1e5, 0.0]).solve().unwrap().edge_flows[3]
+        });
+        assert!(((long - short) / (20.0 * across * smooth) - 1.0).abs() < 1e-6, "{gamma}: {long} {short}");
         for (speeds, rq) in
             [([0.5, 0.0], [0.0, sigma]), ([0.5, 0.0], [sigma, 0.0]), ([0.1, 0.4], [0.3e-6, 0.4e-6])]
         {
@@ -189,7 +210,7 @@ fn motion_to_the_left_is_the_mirror_image() {
 const BEARING: &str = "[given_film]\nkind = \"journal\"\ndiameter = \"50 mm\"\nwidth = \"25 mm\"\nclearance = \"25 um\"\n\
     speed = \"SPEED\"\nload = \"2 kN\"\nnx = 120\nny = 10\n[given_film.roughness]\nrq = [\"0.3 um\", \"0.4 um\"]\ngamma = 1.0\n\
     asperity_number = 0.05\nrq_over_radius = 0.01\nequivalent_modulus = \"230 GPa\"\nboundary_friction = 0.1\n\
-    [lubricant]\neta0 = \"10 mPa s\"\nalpha = \"15 1/GPa\"\n[thermal]\nbulk_temperature = \"60 degC\"\n";
+    [lubricant]\ngrade = \"ISO VG 32\"\nviscosity_index = 98\n[thermal]\nbulk_temperature = \"60 degC\"\n";
 
 fn solved(text: &str) -> Result<BearingSolution, SimError> {
     RigidBearing::from_toml(text)?.solve(|| false)
@@ -203,6 +224,7 @@ fn journal_under_a_load_has_a_stribeck_curve() {
     let [slow, mixed, full, fast] = &found;
     for numbers in &found {
         assert!((numbers.load / 2000.0 - 1.0).abs() < 1e-5);
+        assert!((numbers.film_over_rq.unwrap() * 0.5e-6 / numbers.least_film - 1.0).abs() < 1e-12);
     }
     let share = found.each_ref().map(|numbers| numbers.contact_share.unwrap());
     assert!(share[0] > 0.9 && share[0] <= 1.0 && share[3] < 1e-3, "{share:?}");
@@ -220,7 +242,7 @@ fn journal_under_a_load_has_a_stribeck_curve() {
         solved(&BEARING.replace("SPEED", "0.1 m/s").replace("120", "240").replace("ny = 10", "ny = 20"));
     let fine = fine.unwrap().numbers;
     assert!(
-        (fine.contact_share.unwrap() / share[1] - 1.0).abs() < 0.02,
+        (fine.contact_share.unwrap() / share[1] - 1.0).abs() < 0.04,
         "{share:?} {:?}",
         fine.contact_share
     );
@@ -231,7 +253,7 @@ fn films_below_the_range_of_the_flow_factors_are_warned_of() {
     let text = BEARING.replace("load = \"2 kN\"", "eccentricity = 0.995").replace("SPEED", "1 m/s");
     let warnings = solved(&text).unwrap().warnings;
     let words = warnings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    assert!(words.contains("film_over_rq = 0.25") && words.contains("0.5 Rq"), "{words}");
+    assert!(words.contains("film_over_rq = 0.26") && words.contains("0.5 Rq"), "{words}");
     let text = BEARING.replace("SPEED", "10 m/s");
     assert!(solved(&text).unwrap().warnings.iter().all(|warning| warning.field != "film_over_rq"));
 }

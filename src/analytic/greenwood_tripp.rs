@@ -44,7 +44,7 @@ pub fn asperity_moment(order: f64, separation: f64) -> f64 {
 /// asperities, `E'` by `2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2`, and the moments [`asperity_moment`]. Asperities are elastic and
 /// independent of each other.
 ///
-/// Source: Greenwood and Tripp (1970), The contact of two nominally flat rough surfaces, Proc. IMechE 185, 625-633.
+/// Source: Greenwood and Tripp (1970), The contact of two nominally flat rough surfaces, Proc. Inst. Mech. Eng. 185, 625-633.
 ///
 /// ```
 /// use stribeck::analytic::GreenwoodTripp;

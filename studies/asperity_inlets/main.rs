@@ -1,7 +1,7 @@
 //! Errors of asperity inlets and of resolved solves on coarse cells, over the inlet number, lambda, lays and spectra.
 //!
 //! ```text
-//! cargo run --release -p studies --bin asperity_inlets                      # asperity_inlets.{csv,svg}, half an hour
+//! cargo run --release -p studies --bin asperity_inlets                      # asperity_inlets.{csv,svg}, six minutes of processor time
 //! cargo run --release -p studies --bin asperity_inlets -- --quick --out DIR # coarse cells, seconds
 //! ```
 //!
@@ -184,7 +184,7 @@ fn csv(rows: &[Row], divisor: usize) -> String {
             let Found { load_ratio, friction, mean_film, seconds, converged } = found;
             let _ = writeln!(
                 text,
-                "{},{},{:.6e},{:.4},{},{},{converged},{load_ratio:.6},{friction:.6},{mean_film:.6e},{seconds:.3}",
+                "\"{}\",{},{:.6e},{:.4},{},{},{converged},{load_ratio:.6},{friction:.6},{mean_film:.6e},{seconds:.3}",
                 row.surface.name,
                 row.inlet,
                 row.speed,
@@ -198,6 +198,12 @@ fn csv(rows: &[Row], divisor: usize) -> String {
 }
 
 impl Row {
+    /// Whether the surface has no lay and the load ratio of the reference is at least `low` and below `high`.
+    fn is_isotropic_within(&self, low: f64, high: f64) -> bool {
+        let reference = self.found.first().map_or(f64::NAN, |found| found.load_ratio);
+        !self.surface.has_lay() && (low..high).contains(&reference)
+    }
+
     /// Errors of load ratio, friction and film of a method, the latter two relative; `None` unless it and the
     /// reference converged.
     fn errors(&self, method: usize) -> Option<[f64; 3]> {
@@ -222,7 +228,19 @@ fn mean_and_most(values: &[f64]) -> String {
     format!("{mean:.3} ({most:.3})")
 }
 
-/// Markdown tables: errors by surface, and by method with seconds.
+/// A set of contacts.
+type Group = (&'static str, fn(&Row) -> bool);
+
+/// Isotropic surfaces by the load ratio of the reference, and lays.
+const GROUPS: [Group; 5] = [
+    ("isotropic, below 0.1", |row| row.is_isotropic_within(f64::NEG_INFINITY, 0.1)),
+    ("isotropic, 0.1 to 0.9", |row| row.is_isotropic_within(0.1, 0.9)),
+    ("isotropic, above 0.9", |row| row.is_isotropic_within(0.9, f64::INFINITY)),
+    ("lay along the flow", |row| row.surface.name.starts_with("lay along")),
+    ("lay across the flow", |row| row.surface.name.starts_with("lay across")),
+];
+
+/// Markdown tables: errors by surface, and by groups and methods with seconds.
 fn tables(rows: &[Row], divisor: usize) -> String {
     let mut text =
         "| surface | lambda | load ratio | friction | mean film |\n|---|---|---|---|---|\n".to_owned();
@@ -243,21 +261,24 @@ fn tables(rows: &[Row], divisor: usize) -> String {
             column(2)
         );
     }
-    text.push_str("\n| method | cells | isotropic | with a lay | seconds |\n|---|---|---|---|---|\n");
-    for (k, (method, cells)) in METHODS.into_iter().enumerate() {
-        let load = |lay: bool| {
-            let of = rows.iter().filter(|row| row.surface.has_lay() == lay);
-            mean_and_most(&of.filter_map(|row| row.errors(k)).map(|error| error[0]).collect::<Vec<_>>())
-        };
-        let seconds = rows.iter().map(|row| row.found[k].seconds).sum::<f64>() / rows.len() as f64;
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {seconds:.2} |",
-            method.name(),
-            cells / divisor,
-            load(false),
-            load(true)
-        );
+    text.push_str("\n| contacts | method | cells | load ratio | friction | mean film | seconds |\n|---|---|---|---|---|---|---|\n");
+    for (group, holds) in GROUPS {
+        let of: Vec<&Row> = rows.iter().filter(|row| holds(row)).collect();
+        for (k, (method, cells)) in METHODS.into_iter().enumerate().skip(1) {
+            let errors: Vec<[f64; 3]> = of.iter().filter_map(|row| row.errors(k)).collect();
+            let column = |at: usize| mean_and_most(&errors.iter().map(|error| error[at]).collect::<Vec<_>>());
+            let seconds = of.iter().map(|row| row.found[k].seconds).sum::<f64>() / of.len().max(1) as f64;
+            let _ = writeln!(
+                text,
+                "| {group} ({}) | {} | {} | {} | {} | {} | {seconds:.2} |",
+                errors.len(),
+                method.name(),
+                cells / divisor,
+                column(0),
+                column(1),
+                column(2)
+            );
+        }
     }
     text
 }

@@ -158,7 +158,7 @@ impl GivenFilm<'_> {
             area += if touches { rough.contact.area_ratio(separation) * grid.cell_area() } else { 0.0 };
         }
         let load = pressure.iter().sum::<f64>() * grid.cell_area();
-        let slides = self.speeds[0] != self.speeds[1];
+        let slides = (self.speeds[0] - self.speeds[1]).abs() > 0.0;
         Some(MeanContact {
             load,
             area,

@@ -11,6 +11,8 @@ use crate::sim::scene::{GridSpec, Scene, SolverKind, SolverModel};
 
 /// Root mean square slopes along and across the flow whose ratio, or its inverse, is above this have a lay.
 const LAY: f64 = 2.0;
+/// Slide-roll ratio above which the surfaces move in opposite directions.
+const OPPOSITE: f64 = 2.0;
 /// Largest smooth film over composite Rq.
 const LARGEST_LAMBDA: f64 = 0.5;
 /// Words of the warning about cells.
@@ -58,6 +60,11 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
             "it needs a flooded inlet; leave out lubricant.supplied_film",
         ),
         (scene.motion.spin_radius.is_some(), "motion.spin_radius needs the resolved model"),
+        (
+            scene.motion.slide_roll_ratio.abs() > OPPOSITE,
+            "motion.slide_roll_ratio is above 2: surfaces in opposite directions have their inlets on both sides of an \
+             asperity; use the resolved model",
+        ),
         (scene.friction.flow_thinning.is_some(), "friction.flow_thinning needs the resolved model"),
         (film_temperature::models_film_temperature(scene), "lubricant.thermal needs the resolved model"),
         (

@@ -343,7 +343,7 @@ impl RigidBearing {
             contact_share: contact.map(|contact| contact.load / load),
             contact_area: contact.map(|contact| contact.area),
             contact_friction: contact.map(|contact| contact.friction),
-            film_over_rq: contact.map(|contact| contact.least_separation),
+            film_over_rq: self.roughness.map(|spec| least_film / spec.rq[0].hypot(spec.rq[1])),
             side_flow: film.side_flow,
             edge_flows: film.edge_flows,
             groove_flow: None,
