@@ -46,7 +46,7 @@ fn asperity_moments_are_those_of_the_published_table_and_of_quadrature() {
             assert!((asperity_moment(order, separation) / exact - 1.0).abs() < 1e-9, "{order} {separation}");
         }
     }
-    assert_eq!(asperity_moment(2.5, 9.0), 0.0);
+    assert!(asperity_moment(2.5, 9.0) == 0.0);
 }
 
 /// Below and above five root mean square heights the shear flow has two fits, with constants of seven Peklenik numbers each.
@@ -73,7 +73,8 @@ fn pressure_flow_factors_grow_with_the_peklenik_number_between_the_exact_means_o
     }
     let law = PatirCheng::new(2.0).unwrap();
     let [along, across] = law.pressure_flow(2.0);
-    assert_eq!(PatirCheng::new(0.5).unwrap().pressure_flow(2.0), [across, along]);
+    let turned = PatirCheng::new(0.5).unwrap().pressure_flow(2.0);
+    assert!((turned[0] - across).abs() < 1e-15 && (turned[1] - along).abs() < 1e-15);
     // Linear in the logarithm of the Peklenik number.
     let [one, three] = [1.0, 3.0].map(|gamma| PatirCheng::new(gamma).unwrap().pressure_flow(2.0)[0]);
     let share = 2.0_f64.ln() / 3.0_f64.ln();

@@ -124,3 +124,28 @@ fn curve_of_a_journal_is_over_speed_load_and_temperature() {
     let pad = repository("examples/scenes/textured_pad.toml");
     assert_refused(&["curve", text(&pad), "--over", "load", "--out", text(folder.path())], &["load", "film"]);
 }
+
+/// Rough surfaces add columns; a flat contact has no curve, and the message says how to solve it.
+#[test]
+fn curve_of_a_rough_journal_has_the_share_of_solids() {
+    let folder = tempfile::tempdir().unwrap();
+    let rough = "nx = 60\nny = 8\n[given_film.roughness]\nrq = [\"0.2 um\", \"0.4 um\"]\nasperity_number = 0.05\n\
+                 rq_over_radius = 0.01\nequivalent_modulus = \"230 GPa\"\nboundary_friction = 0.1\n[lubricant]";
+    let scene = std::fs::read_to_string(repository("examples/scenes/journal.toml")).unwrap();
+    let path = folder.path().join("rough.toml");
+    std::fs::write(&path, scene.replace("[lubricant]", rough)).unwrap();
+    let out = text(folder.path());
+    let curve = ["curve", text(&path), "--from", "0.01 m/s", "--to", "1 m/s", "--points", "3", "--out", out];
+    let output = stribeck(&curve);
+    assert_eq!(output.status.code(), Some(0), "{}", error_of(&output));
+    assert!(String::from_utf8(output.stdout).unwrap().contains("solids, %"));
+    let csv = std::fs::read_to_string(folder.path().join("rough_curve.csv")).unwrap();
+    let mut lines = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let column = lines.next().unwrap().iter().position(|name| *name == "contact_share").unwrap();
+    let shares: Vec<f64> = lines.map(|line| line[column].parse().unwrap()).collect();
+    assert!(shares.len() == 3 && shares[0] > 0.7 && shares[0] > shares[1] && shares[2] < 1e-3, "{shares:?}");
+    let report = String::from_utf8(stribeck(&["solve", text(&path)]).stdout).unwrap();
+    assert!(report.contains("% of the load on solids"), "{report}");
+    let flat = repository("examples/scenes/flat.toml");
+    assert_refused(&["curve", text(&flat), "--out", out], &["flat", "stribeck solve", "load.mean_pressure"]);
+}
