@@ -160,7 +160,7 @@ fn full_films_converge_at_the_order_of_the_scheme() {
             [(Scheme::FirstOrder, 0.85, 1.5), (Scheme::SecondOrder, 1.8, 2.3), (Scheme::Limited, 1.8, 2.3)]
         {
             let [coarse, fine] = [64, 128].map(|n| FULL_FILM.errors(n, scheme, face_mobility));
-            assert_eq!(fine.touching, 0.0, "a full film");
+            assert!(fine.touching <= 0.0, "a full film");
             let order = (coarse.fluid / fine.fluid).log2();
             assert!(
                 order > least && order < most,
