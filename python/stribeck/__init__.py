@@ -10,7 +10,7 @@ All numbers are SI. Fields are arrays of the shape ``(ny, nx)``, x along the flo
 """
 
 from . import analytic, elastic, laws, metrics, surface
-from ._numbers import units
+from ._names import units
 from ._stribeck import __version__, set_num_threads as _set_num_threads
 from ._arguments import whole as _whole
 from .benchmarks import Benchmark, benchmark

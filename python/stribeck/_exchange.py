@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._numbers import xarray
+from ._packages import needed
 from .errors import InputError, StribeckWarning, SurfaceError
 
 if TYPE_CHECKING:
@@ -180,7 +180,7 @@ def _step(name: str, positions: np.ndarray[Any, Any]) -> tuple[float, bool]:
 
 def to_xarray(surface: Surface) -> Any:
     """A DataArray with the dimensions y and x, all lengths in metres."""
-    xr = xarray()
+    xr = needed("xarray", "to_xarray()")
     dx, dy = _known_spacing(surface)
     ny, nx = surface.shape
     metre = {"units": "m"}
@@ -190,7 +190,7 @@ def to_xarray(surface: Surface) -> Any:
 
 def to_surface_topography(surface: Surface) -> Any:
     """A topography or line scan in metres."""
-    package = import_module("SurfaceTopography")
+    package = needed("SurfaceTopography", "to_surface_topography()")
     dx, dy = _known_spacing(surface)
     ny, nx = surface.shape
     heights = surface.to_masked() if surface.undefined else surface.heights

@@ -8,8 +8,10 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import numpy.typing as npt
 
+from ._packages import needed
 from ._stribeck import columns
 from .errors import unknown
 
@@ -58,24 +60,29 @@ _UNITS = {
     "side_flow": "m^3/s",
     "stiffness": "Pa/m",
     "stress": "Pa",
+    "x": "m",
+    "y": "m",
 }
 #: Units of full names.
 _PATHS = {
     **COLUMNS,
+    "alpha": "1/Pa",
+    "carried_heat": "W",
+    "cavitated_shear": "N",
+    "correlation_length": "m",
+    "edge_flows": "m^3/s",
+    "eta0": "Pa s",
+    "film.film_rise": "K",
+    "film.map.central": "m",
+    "groove_flow": "m^3/s",
+    "outlet_temperature": "K",
+    "short_roughness": "m",
+    "supply_temperature": "K",
+    "temperature": "K",
     "entrainment_speed": "m/s",
     "spin_radius": "m",
     "force.lower": "N",
     "force.upper": "N",
-    "motion.entrainment_speed": "m/s",
-    "load.hertz_pressure": "Pa",
-    "thermal.bulk_temperature": "K",
-    "lubricant.eta0": "Pa s",
-    "lubricant.alpha": "1/Pa",
-    "roughness.ball.rq": "m",
-    "roughness.disc.rq": "m",
-    "elastic.equivalent_modulus": "Pa",
-    "plastic.hardness": "Pa",
-    "form.radius": "m",
 }
 #: Units of fields.
 FIELDS = {
@@ -89,18 +96,14 @@ FIELDS = {
 
 
 def unit(path: str) -> str:
-    """The unit of the number with the name ``path``, empty for ratios and counts."""
-    if path in _PATHS:
-        return _PATHS[path]
+    """The unit of the number, field or key with the name ``path``, empty for ratios and counts."""
+    from ._tables import UNITS
+
+    path = path.removeprefix("scene.")
+    known = FIELDS.get(path) or _PATHS.get(path) or UNITS.get(path)
+    if known is not None:
+        return known
     return "" if path.startswith("error_estimate.") else _UNITS.get(path.rsplit(".", 1)[-1], "")
-
-
-def units(name: str) -> str:
-    """The unit of a number, column, field or key of a scene by its full name, ``units("film.central")``; empty for ratios, counts and words.
-    Numbers are in SI units."""
-    if not isinstance(name, str):
-        raise unknown("name", name, ["the name of a number, such as film.central"])
-    return FIELDS.get(name) or unit(name.removeprefix("scene."))
 
 
 def flat(numbers: Numbers, prefix: str = "") -> dict[str, Any]:
@@ -108,24 +111,30 @@ def flat(numbers: Numbers, prefix: str = "") -> dict[str, Any]:
     return {f"{prefix}{name}": value for name, value in numbers.rows() if isinstance(value, bool | int | float | str | None)}
 
 
-def frame(columns: Mapping[str, Any]) -> Any:
+def frame(columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> Any:
     """A ``pandas.DataFrame`` with the units of its columns in ``attrs``."""
-    try:
-        import pandas as pd  # type: ignore[import-untyped,unused-ignore]
-    except ImportError as error:
-        raise ImportError("to_pandas() needs pandas: pip install pandas") from error
-    made = pd.DataFrame(dict(columns))
-    made.attrs["units"] = {name: units(name) for name in made.columns}
+    made = needed("pandas", "to_pandas()").DataFrame(dict(columns))
+    made.attrs["units"] = {name: unit(name) if units is None else units.get(name, "") for name in made.columns}
     return made
 
 
-def xarray() -> Any:
-    """The package xarray."""
-    try:
-        import xarray as xr
-    except ImportError as error:
-        raise ImportError("to_xarray() needs xarray: pip install xarray") from error
-    return xr
+def dataset(fields: Mapping[str, npt.NDArray[Any]], x: npt.NDArray[Any], y: npt.NDArray[Any], attributes: Mapping[str, Any]) -> Any:
+    """An ``xarray.Dataset`` of copies of ``fields`` over ``y`` and ``x`` [m], with units; an attribute that is None is left out."""
+    variables = {name: (("y", "x"), field.copy(), {"units": unit(name)}) for name, field in fields.items()}
+    places = {"x": ("x", x, {"units": "m"}), "y": ("y", y, {"units": "m"})}
+    known = {name: value for name, value in attributes.items() if value is not None}
+    return needed("xarray", "to_xarray()").Dataset(variables, coords=places, attrs=known)
+
+
+def same(one: Any, other: Any) -> bool:
+    """Whether two values are equal: tables and lists by their values, arrays by their elements; NaN equals NaN."""
+    if isinstance(one, Mapping) and isinstance(other, Mapping):
+        return one.keys() == other.keys() and all(same(value, other[name]) for name, value in one.items())
+    if isinstance(one, list | tuple) and isinstance(other, list | tuple):
+        return len(one) == len(other) and all(same(*pair) for pair in zip(one, other, strict=True))
+    if isinstance(one, np.ndarray) or isinstance(other, np.ndarray):
+        return np.array_equal(one, other, equal_nan=np.result_type(one, other).kind == "f")
+    return bool(one == other) or (isinstance(one, float) and isinstance(other, float) and math.isnan(one) and math.isnan(other))
 
 
 class Numbers(Mapping[str, Any]):
@@ -176,6 +185,12 @@ class Numbers(Mapping[str, Any]):
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
 
+    def __eq__(self, other: object) -> bool:
+        """Whether names and values are the same; NaN equals NaN."""
+        return same(self, other) if isinstance(other, Mapping) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __dir__(self) -> list[str]:
         names = (f"{name}_" if keyword.iskeyword(name) else name for name in self._values)
         return sorted({*super().__dir__(), *names})
@@ -219,11 +234,42 @@ class Table(Numbers):
         def __getattr__(self, name: str) -> Any: ...
 
 
-class Fields(dict[str, npt.NDArray[Any]]):
+class Fields(Mapping[str, npt.NDArray[Any]]):
     """Maps by name."""
 
-    def __missing__(self, name: str) -> npt.NDArray[Any]:
-        raise unknown("field", name, self)
+    __slots__ = ("_maps",)
+
+    def __init__(self, maps: Mapping[str, npt.NDArray[Any]]) -> None:
+        self._maps = dict(maps)
+
+    @classmethod
+    def read_only(cls, maps: Mapping[str, npt.NDArray[Any]]) -> Fields:
+        """Maps whose values cannot be set."""
+        return cls({name: read_only(field) for name, field in maps.items()})
+
+    def __getitem__(self, name: str) -> npt.NDArray[Any]:
+        if name not in self._maps:
+            raise unknown("field", name, self)
+        return self._maps[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._maps
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._maps)
+
+    def __len__(self) -> int:
+        return len(self._maps)
+
+    def __repr__(self) -> str:
+        return f"<Fields {', '.join(self._maps)}>"
+
+
+def read_only(field: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """The same array, whose values cannot be set."""
+    view = field.view()
+    view.flags.writeable = False
+    return view
 
 
 def _text(value: Any) -> str:

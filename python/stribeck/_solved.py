@@ -4,35 +4,22 @@ from __future__ import annotations
 
 from typing import TypeVar
 
-from ._numbers import Numbers
-from ._typed import Residual, Work
+from . import _typed
 from .errors import NotConvergedError
 
 _Solved = TypeVar("_Solved", bound="Solved")
 
 
-class Report(Numbers):
+class Report(_typed.Solved):
     """How a solve ended: ``status``, ``solver``, ``residual`` (mass, load, complementarity), ``energy_error``, ``work``."""
 
     __slots__ = ()
 
-    solver: str
-    status: str
-    residual: Residual
-    energy_error: float | None
-    work: Work
 
-
-class Solved(Numbers):
+class Solved(_typed.Solved):
     """The numbers of a solve with those of its report."""
 
     __slots__ = ()
-
-    solver: str
-    status: str
-    residual: Residual
-    energy_error: float | None
-    work: Work
 
     @property
     def report(self) -> Report:

@@ -165,6 +165,87 @@ class Plastic(Numbers):
     volume: float
 
 
+class Extreme(Numbers):
+    """A largest stress and its place."""
+
+    __slots__ = ()
+    stress: float
+    depth: float
+    x: float
+    y: float
+
+
+class LayerStress(Numbers):
+    """Largest stresses of a layer and of its bond."""
+
+    __slots__ = ()
+    von_mises: Extreme
+    bond_shear: Extreme
+    bond_tension: Extreme
+
+
+class Stress(Numbers):
+    """Largest stresses below the surface."""
+
+    __slots__ = ()
+    von_mises: Extreme
+    orthogonal_shear: Extreme
+    layer: LayerStress | None
+    yield_ratio: float | None
+    shakedown_ratio: float | None
+
+
+class Thermal(Numbers):
+    """Temperature and heat of the film."""
+
+    __slots__ = ()
+    film_temperature_max: float
+    film_temperature_mean_central: float
+    surface_rise_ball: float
+    surface_rise_disc: float
+    heat: float
+    imbalance: float
+    solves: int
+    change: float
+
+
+class Solved(Numbers):
+    """A solve."""
+
+    __slots__ = ()
+    solver: str
+    status: str
+    residual: Residual
+    energy_error: float | None
+    work: Work
+
+
+class SolvedContact(Solved):
+    """The numbers of a contact."""
+
+    __slots__ = ()
+    hertz: Hertz
+    moes: Moes | None
+    film: Film
+    pressure: Pressure
+    contact: Contact
+    friction: Friction
+    roughness: Roughness
+    flow: Flow | None
+    approach: float
+    stress: Stress | None
+    thermal: Thermal | None
+    error_estimate: Errors | None
+    strategy: str | None
+    model: str | None
+    scheme: str | None
+    face_mobility: str | None
+    cavitation: str | None
+    contact_definition: str | None
+    version: str
+    seconds: float
+
+
 class Conditions(Numbers):
     """Conditions of a contact."""
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy.typing as npt
 
 from ._arguments import array, depths, instance, path as _path, refused
+from ._numbers import same
 from ._stribeck import BodyStart as _BodyStart
 from .scene import Scene
 
@@ -44,6 +45,14 @@ class BodyStart:
         start = cls.__new__(cls)
         start._scene, start._raw = scene, raw
         return start
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are on the same scene with the same depths."""
+        if not isinstance(other, BodyStart):
+            return NotImplemented
+        return self._scene == other._scene and same(self._raw.fields(), other._raw.fields())
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __copy__(self) -> BodyStart:
         return self

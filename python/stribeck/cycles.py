@@ -16,6 +16,25 @@ from .scene import Scene, as_scene
 
 __all__ = ["Cycle", "cycle"]
 
+#: Units of the numbers of a contact by their names; ratios and counts have none.
+UNITS = {
+    "time": "s",
+    "angle": "rad",
+    "load": "N",
+    "ball_speed": "m/s",
+    "disc_speed": "m/s",
+    "radius": "m",
+    "bulk_temperature": "K",
+    "hertz_pressure": "Pa",
+    "formula_film": "m",
+    "film_central": "m",
+    "film_minimum": "m",
+    "film_mean_central": "m",
+    "pressure_max": "Pa",
+    "friction_power": "W",
+    "flash_rise": "K",
+}
+
 
 class Cycle:
     """The contacts of a cycle in the order of time. ``cycle["film_central"]`` is a number of all contacts as an array, NaN where it is
@@ -58,8 +77,8 @@ class Cycle:
         return f"<Cycle of {len(self)} contacts>"
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row per contact."""
-        return frame(self._columns)
+        """A ``pandas.DataFrame`` with a row per contact; ``attrs["units"]`` are the units of its columns."""
+        return frame(self._columns, UNITS)
 
 
 def cycle(scene: Scene | Mapping[str, Any] | str | os.PathLike[str]) -> Cycle:

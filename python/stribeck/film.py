@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import Quantity, array, cells, number, numbers, path, truth, whole
-from ._numbers import Fields, Numbers
+from ._numbers import Fields, Numbers, dataset, flat, frame, read_only
 from ._solved import Solved
 from ._stribeck import solve_bearing, solve_film
 from ._typed import Flow, Forces
@@ -73,7 +73,7 @@ class GivenFilm(Solved):
     """A film between rigid surfaces. ``load`` [N], ``force.lower`` and ``force.upper`` [N], the shear forces along +x on both
     surfaces, ``side_flow`` [m^3/s] through the edges across y, ``edge_flows`` [m^3/s] out through the edges of the smallest and largest x and y,
     ``cavitated_shear`` [N], the part of the shear force by cavitated fluid, ``power_loss`` [W] by friction, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
-    and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
+    and ``theta``, the share of the gap that is filled, are read-only arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
 
     __slots__ = ("_rows", "film", "grid", "pressure", "theta", "warnings")
 
@@ -101,7 +101,8 @@ class GivenFilm(Solved):
         grid: Grid,
     ) -> None:
         super().__init__(values)
-        for name, value in {"_rows": rows, "warnings": warnings, "grid": grid, **fields}.items():
+        own = {name: read_only(field) for name, field in fields.items()}
+        for name, value in {"_rows": rows, "warnings": warnings, "grid": grid, **own}.items():
             object.__setattr__(self, name, value)
 
     @classmethod
@@ -113,9 +114,17 @@ class GivenFilm(Solved):
         return type(self), (self.to_dict(), self.fields, self._rows, self.warnings, self.grid)
 
     @property
-    def fields(self) -> dict[str, npt.NDArray[np.float64]]:
+    def fields(self) -> Mapping[str, npt.NDArray[np.float64]]:
         """``film``, ``pressure`` and ``theta`` by name."""
         return Fields({"film": self.film, "pressure": self.pressure, "theta": self.theta})
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` of one row with the numbers; ``attrs["units"]`` are the units of its columns."""
+        return frame({name: [value] for name, value in flat(self).items()})
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the fields over ``y`` and ``x`` [m], with units; its attributes are the numbers by their full names."""
+        return dataset(self.fields, self.grid.x, self.grid.y, flat(self))
 
     def _ended(self) -> str:
         return f"the film ended as {self['status']} with an imbalance of {self['residual']['mass']:.3g}"

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import path
-from ._numbers import Numbers
+from ._numbers import Numbers, read_only
 from ._stribeck import solve_flat
 from .errors import found, say
 
@@ -20,7 +20,7 @@ __all__ = ["FlatContact", "flat_contact"]
 class FlatContact(Numbers):
     """A flat contact of a scene file. ``mean_pressure`` [Pa], ``mean_gap`` [m], ``area_share``, ``plastic_share``, ``pressure_max`` [Pa],
     ``stiffness`` [Pa/m] (None for closed gaps), ``mean_plastic_depth`` [m], ``composite_rq`` [m], ``rms_slope``, ``area_over_load``,
-    ``energy_error``, ``convolutions``, ``status``; ``pressure`` [Pa] and ``film`` [m], the deformed gap, are arrays of the shape
+    ``energy_error``, ``convolutions``, ``status``; ``pressure`` [Pa] and ``film`` [m], the deformed gap, are read-only arrays of the shape
     ``(ny, nx)``."""
 
     __slots__ = ("film", "pressure")
@@ -45,8 +45,8 @@ class FlatContact(Numbers):
         self, values: Mapping[str, Any], pressure: npt.NDArray[np.float64], film: npt.NDArray[np.float64]
     ) -> None:
         super().__init__(values)
-        object.__setattr__(self, "pressure", pressure)
-        object.__setattr__(self, "film", film)
+        object.__setattr__(self, "pressure", read_only(pressure))
+        object.__setattr__(self, "film", read_only(film))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.to_dict(), self.pressure, self.film)

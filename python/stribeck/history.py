@@ -164,7 +164,7 @@ class Simulation(Kept):
         return Body(ball), Body(disc)
 
     @property
-    def fields(self) -> dict[str, npt.NDArray[Any]]:
+    def fields(self) -> Mapping[str, npt.NDArray[Any]]:
         """Maps of the last contact by name, of the shape ``(ny, nx)``, as copies: ``pressure``, ``fluid_pressure`` [Pa], ``film``,
         ``plastic_depth`` [m], ``theta`` (filled share of the gap) and ``in_contact``."""
         return Fields(self._raw.fields())

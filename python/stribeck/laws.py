@@ -182,7 +182,7 @@ class ContactState:
 
 
 class ContactProblem(Table):
-    """A contact for a solver. Table: ``load`` [N] that the pressures in the box carry, ``entrainment_speed`` [m/s], ``spin_radius`` [m] (None without spin), ``contact_film`` [m],
+    """A contact for a solver. Numbers: ``load`` [N] that the pressures in the box carry, ``entrainment_speed`` [m/s], ``spin_radius`` [m] (None without spin), ``contact_film`` [m],
     the film at which solids touch (zero in a dry contact), ``lubricated``, ``supplied_film`` [m], ``tolerance`` and ``max_iterations``, and for
     starts ``half_widths`` [m], ``reference_pressure`` [Pa] and ``reference_film`` [m].
     Film: ``gap - approach + displacement(pressure) + plastic depth``."""

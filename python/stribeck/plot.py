@@ -1,5 +1,5 @@
 """Pictures with matplotlib, which is optional: ``pip install matplotlib``. Each function draws into ``ax``, or into new axes, and returns the
-artists it has drawn, which know their axes: ``plot.map(solution).axes.set_title("film")``. A field or a column that is not there is a
+artists it has drawn, which know their axes: ``plot.map(solution).axes.set_title("film")``; :func:`surface` takes five axes. A field or a column that is not there is a
 :class:`~stribeck.UnknownNameError`.
 
 :func:`map`, :func:`profile` and :func:`animation` take whatever has fields: a :class:`~stribeck.Solution`, a :class:`~stribeck.Simulation` (its last
@@ -8,14 +8,15 @@ contact), a :class:`~stribeck.GivenFilm`, an ``xarray.Dataset`` of ``to_xarray()
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from ._arguments import instance, refused
 from ._numbers import Fields, unit
+from ._packages import needed
 from ._stribeck import bearing_curve
 from .errors import unknown
 from .film import GivenFilm
@@ -29,6 +30,7 @@ from .surface import Surface
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
     from matplotlib.axes import Axes
+    from matplotlib.container import BarContainer
     from matplotlib.figure import Figure
     from matplotlib.image import AxesImage
     from matplotlib.lines import Line2D
@@ -51,6 +53,8 @@ _SHOWN = {
 _WITH_FIELDS = "a Solution, a Simulation, a GivenFilm, a Dataset of to_xarray(), a Surface or a pair (grid, fields)"
 #: Distance between the scales of further units beside a profile [points].
 _SCALE_WIDTH = 50
+#: Pictures of a surface, and the fewest points along a side of a spectrum.
+_PICTURES, _LEAST = 5, 4
 
 
 class _Maps(NamedTuple):
@@ -92,11 +96,7 @@ def _on_grid(grid: Grid, fields: Mapping[str, npt.NDArray[Any]]) -> _Maps:
 
 
 def _pyplot() -> Any:
-    try:
-        import matplotlib.pyplot as plt
-    except ImportError as error:
-        raise ImportError("stribeck.plot needs matplotlib: pip install matplotlib") from error
-    return plt
+    return needed("matplotlib.pyplot", "stribeck.plot")
 
 
 def _axes(ax: Axes | None) -> Any:
@@ -228,8 +228,6 @@ def animation(
 ) -> FuncAnimation:
     """A field of contacts one after the other, ``interval`` milliseconds each, under one scale of colors: of a history, say, whose ``callback``
     appends ``(simulation.grid, simulation.fields)`` to a list. ``options`` go to ``imshow``; ``.save("film.gif")`` writes it."""
-    from matplotlib.animation import FuncAnimation
-
     fields = [_maps(frame).fields[name] * _SHOWN.get(name, (1.0, ""))[0] for frame in frames]
     if not fields:
         raise refused("frames", frames, "at least one contact")
@@ -241,40 +239,67 @@ def animation(
         image.set_data(fields[k])
         return (image,)
 
-    return FuncAnimation(figure, draw, frames=len(fields), interval=interval)
+    made: FuncAnimation = needed("matplotlib.animation", "stribeck.plot").FuncAnimation(figure, draw, frames=len(fields), interval=interval)
+    return made
 
 
-def surface(measured: Surface) -> Figure:
-    """A figure of a surface: height map with undefined points in grey, middle profile, height distribution, bearing curve with the
-    construction of Sk, spectrum."""
-    figure: Figure
-    figure, axes = _pyplot().subplots(2, 3, figsize=(15, 8), layout="constrained")
-    ny, nx = measured.shape
-    known = measured.dx is not None and measured.dy is not None
-    heights = 1e6 * measured.to_masked()
-    map(measured, ax=axes[0, 0])
-    profile(measured, ax=axes[0, 1])
-    axes[0, 1].set_title(f"row {ny // 2}")
-    axes[0, 2].hist(heights.compressed(), bins=60, density=True)
-    axes[0, 2].set(xlabel="height, um", ylabel="density, 1/um")
-    _bearing(axes[1, 0], measured)
+class SurfacePicture(NamedTuple):
+    """The artists of :func:`surface`; ``spectrum`` is empty for too few points or without spacing."""
+
+    map: AxesImage
+    profile: list[Line2D]
+    heights: BarContainer
+    bearing: list[Line2D]
+    spectrum: list[Line2D]
+
+    @property
+    def figure(self) -> Figure:
+        """The figure of the artists."""
+        figure: Any = self.map.figure
+        return cast("Figure", figure)
+
+
+def surface(measured: Surface, *, ax: Sequence[Axes] | None = None) -> SurfacePicture:
+    """A surface in five pictures: height map with undefined points in grey, middle profile, height distribution, bearing curve with the
+    construction of Sk, spectrum. ``ax`` are the axes of these five, by default those of a new figure."""
+    instance("measured", measured, Surface, "a Surface")
+    axes = _five_axes() if ax is None else list(ax) if isinstance(ax, Iterable) else []
+    if len(axes) != _PICTURES:
+        raise refused("ax", ax, "five axes: of map, profile, heights, bearing curve and spectrum")
+    of_map, of_profile, of_heights, of_bearing, of_spectrum = axes
+    ny = measured.shape[0]
+    image, lines = map(measured, ax=of_map), profile(measured, ax=of_profile)
     if ny == 1:
         # a line as wide as it is long
-        axes[0, 0].set_aspect("auto")
-    if known and min(nx, ny) >= 4:
-        _spectrum(axes[1, 1], *radial_spectrum(measured, boundary="open"), "radial spectral density, m^4")
-    elif measured.dx is not None and ny == 1 and nx >= 4:
-        _spectrum(axes[1, 1], *_profile_spectrum(measured.fill_undefined().heights[0], measured.dx), "spectral density, m^3")
-    else:
-        axes[1, 1].set_title("no spectrum: too few points or no spacing")
-    axes[1, 2].set_axis_off()
-    return figure
+        of_map.set_aspect("auto")
+    of_profile.set_title(f"row {ny // 2}")
+    bars = of_heights.hist((1e6 * measured.to_masked()).compressed(), bins=60, density=True)[2]
+    of_heights.set(xlabel="height, um", ylabel="density, 1/um")
+    return SurfacePicture(image, lines, bars, _bearing(of_bearing, measured), _spectrum_of(of_spectrum, measured))
 
 
-def _spectrum(axes: Axes, wavenumber: npt.NDArray[Any], density: npt.NDArray[Any], label: str) -> None:
+def _five_axes() -> list[Any]:
+    _, axes = _pyplot().subplots(2, 3, figsize=(15, 8), layout="constrained")
+    *five, last = axes.flat
+    last.set_axis_off()
+    return five
+
+
+def _spectrum_of(axes: Axes, measured: Surface) -> list[Line2D]:
+    """The spectrum of a map or of a profile."""
+    ny, nx = measured.shape
+    if measured.dx is not None and measured.dy is not None and min(nx, ny) >= _LEAST:
+        return _spectrum(axes, *radial_spectrum(measured, boundary="open"), "radial spectral density, m^4")
+    if measured.dx is not None and ny == 1 and nx >= _LEAST:
+        return _spectrum(axes, *_profile_spectrum(measured.fill_undefined().heights[0], measured.dx), "spectral density, m^3")
+    axes.set_title("no spectrum: too few points or no spacing")
+    return []
+
+
+def _spectrum(axes: Axes, wavenumber: npt.NDArray[Any], density: npt.NDArray[Any], label: str) -> list[Line2D]:
     shown = density > 0.0
-    axes.loglog(wavenumber[shown], density[shown])
     axes.set(xlabel="wavenumber, 1/m", ylabel=label)
+    return axes.loglog(wavenumber[shown], density[shown])
 
 
 def _profile_spectrum(heights: npt.NDArray[Any], dx: float) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
@@ -286,13 +311,14 @@ def _profile_spectrum(heights: npt.NDArray[Any], dx: float) -> tuple[npt.NDArray
     return 2.0 * np.pi / length * np.arange(1, len(transform) + 1), np.abs(transform) ** 2 / length
 
 
-def _bearing(axes: Axes, measured: Surface) -> None:
+def _bearing(axes: Axes, measured: Surface) -> list[Line2D]:
     """The bearing curve, the equivalent line of its core and the ratios at which its ends cut the curve."""
     curve, (top, bottom) = bearing_curve(np.ascontiguousarray(measured.heights))
     core = bearing(measured)
-    axes.plot((np.arange(len(curve)) + 0.5) / len(curve), 1e6 * curve)
-    axes.plot([0.0, 1.0], [1e6 * top, 1e6 * bottom], label=f"Sk {1e6 * core.sk:.4g} um")
-    axes.plot([0.0, core.smr1], [1e6 * top] * 2, label=f"Smr1 {100 * core.smr1:.1f} %")
-    axes.plot([core.smr2, 1.0], [1e6 * bottom] * 2, label=f"Smr2 {100 * core.smr2:.1f} %")
+    lines = axes.plot((np.arange(len(curve)) + 0.5) / len(curve), 1e6 * curve)
+    lines += axes.plot([0.0, 1.0], [1e6 * top, 1e6 * bottom], label=f"Sk {1e6 * core.sk:.4g} um")
+    lines += axes.plot([0.0, core.smr1], [1e6 * top] * 2, label=f"Smr1 {100 * core.smr1:.1f} %")
+    lines += axes.plot([core.smr2, 1.0], [1e6 * bottom] * 2, label=f"Smr2 {100 * core.smr2:.1f} %")
     axes.set(xlabel="material ratio", ylabel="height about the mean, um")
     axes.legend()
+    return lines

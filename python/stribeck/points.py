@@ -9,13 +9,15 @@ from typing import Any, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._numbers import Table, flat, frame, units, xarray
+from ._numbers import flat, frame, same, unit
+from ._packages import needed
+from ._typed import SolvedContact
 from .errors import StribeckWarning, found, unknown
 
 __all__ = ["Point", "Sweep"]
 
 
-class Point(Table):
+class Point(SolvedContact):
     """One point of a sweep: the numbers of its solution by their names, empty where it was refused. ``inputs`` are its values in SI units by
     their keys, ``status`` that of the solve (``"refused"`` for one that raised, ``"lost"`` where the executor failed), ``error`` what was raised,
     ``warnings`` those of the solution and ``measured`` what the measure returned."""
@@ -39,6 +41,16 @@ class Point(Table):
         ]
         result = {"values": self.to_dict(), "status": self["status"], "error": self.error, "measured": self.measured}
         return type(self), (self.inputs, {**result, "warnings": warnings})
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same contact with the same numbers, whatever seconds it took."""
+        if not isinstance(other, Point):
+            return NotImplemented
+        ours, theirs = ({name: value for name, value in point.items() if name != "seconds"} for point in (self, other))
+        own = ("inputs", "error", "measured")
+        return same(ours, theirs) and all(same(getattr(self, name), getattr(other, name)) for name in own)
+
+    __hash__ = None  # type: ignore[assignment]
 
     def columns(self) -> dict[str, Any]:
         """Inputs, status, numbers and measured values by their full names."""
@@ -81,6 +93,14 @@ class Sweep(Sequence[Point]):
     def __iter__(self) -> Iterator[Point]:
         return iter(self._points)
 
+    def __eq__(self, other: object) -> bool:
+        """Whether both have the same points over the same values."""
+        if not isinstance(other, Sweep):
+            return NotImplemented
+        return self._is_product == other._is_product and same(self.axes, other.axes) and self._points == other._points
+
+    __hash__ = None  # type: ignore[assignment]
+
     @property
     def failed(self) -> list[Point]:
         """The points without a converged solution or with an error."""
@@ -98,18 +118,16 @@ class Sweep(Sequence[Point]):
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset``: a dimension an input of a product, ``point`` for zipped ones, with units as attributes."""
-        xr = xarray()
-
         columns = self.to_dict()
         shape = tuple(len(values) for values in self.axes.values()) if self._is_product else (len(self),)
         dimensions = list(self.axes) if self._is_product else ["point"]
         variables = {
-            name: (dimensions, values.reshape(shape), {"units": units(name)})
+            name: (dimensions, values.reshape(shape), {"units": unit(name)})
             for name, values in columns.items()
             if name not in self.axes
         }
-        across = {key: ([key] if self._is_product else ["point"], values, {"units": units(key)}) for key, values in self.axes.items()}
-        return xr.Dataset(variables, coords=across)
+        across = {key: ([key] if self._is_product else ["point"], values, {"units": unit(key)}) for key, values in self.axes.items()}
+        return needed("xarray", "to_xarray()").Dataset(variables, coords=across)
 
     def __repr__(self) -> str:
         return f"<Sweep of {len(self)} points over {', '.join(self.axes)}, {len(self.failed)} failed>"

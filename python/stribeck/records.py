@@ -9,8 +9,9 @@ from typing import Any, ClassVar, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._numbers import COLUMNS, Numbers, Table, frame, table, units, xarray
-from ._typed import Contact, Errors, Film, Flow, Friction, Motion, Plastic, Pressure, Residual, Roughness, Tribofilm, Wear, Work
+from ._numbers import COLUMNS, Numbers, frame, table, unit
+from ._packages import needed
+from ._typed import Contact, Errors, Film, Flow, Friction, Motion, Plastic, Pressure, Residual, Roughness, Thermal, Tribofilm, Wear, Work
 from .errors import StribeckWarning, found, unknown
 
 __all__ = ["Body", "History", "Record"]
@@ -48,7 +49,7 @@ class Record(Numbers):
     contact: Contact
     friction: Friction
     flow: Flow | None
-    thermal: Table | None
+    thermal: Thermal | None
     flash_rise: float | None
     wear: Wear
     tribofilm: Tribofilm
@@ -152,6 +153,14 @@ class History(Sequence[Record]):
         """Whether ``item`` is the name of a column, or one of the records."""
         return item in COLUMNS if isinstance(item, str) else item in self._records
 
+    def __eq__(self, other: object) -> bool:
+        """Whether both have the same records and ended alike."""
+        if not isinstance(other, History):
+            return NotImplemented
+        return self._records == other._records and self.stopped == other.stopped
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __array__(self, dtype: npt.DTypeLike | None = None, copy: bool | None = None) -> npt.NDArray[Any]:
         return np.asarray(self.to_numpy(), dtype=dtype)
 
@@ -176,10 +185,8 @@ class History(Sequence[Record]):
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` over the steps, with ``time`` [s] as a coordinate and units as attributes."""
-        xr = xarray()
-
-        columns = {name: ("step", values, {"units": units(name)}) for name, values in self.to_dict().items()}
-        return xr.Dataset(columns).set_coords(["step", "time"])
+        columns = {name: ("step", values, {"units": unit(name)}) for name, values in self.to_dict().items()}
+        return needed("xarray", "to_xarray()").Dataset(columns).set_coords(["step", "time"])
 
     def __repr__(self) -> str:
         if not self._records:

@@ -10,7 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import Quantity, instance, number, numbers, path, text, truth, whole
-from ._numbers import Numbers, Table
+from . import _tables
+from ._numbers import Numbers
 from ._stribeck import Cells, Scene as _Scene
 from ._typed import Conditions, Expectation, Hertz, Oil
 from .errors import SceneError, StribeckWarning, found, say
@@ -95,31 +96,31 @@ class Scene:
     be combined: tables by name come on top (see :meth:`replace`). Paths in a scene file are relative to its folder, in a dictionary
     or text to the working directory.
 
+    A table and its values are attributes, ``scene.motion.entrainment_speed``; a table that the scene has not is an ``AttributeError``.
+
     Raises :class:`~stribeck.SceneError` naming the key that does not fit, :class:`~stribeck.FileError` for a file that cannot be read.
     Values out of range are found when the scene is used.
     """
 
     __slots__ = ("_raw",)
 
-    if TYPE_CHECKING:
-        form: Table
-        load: Table
-        motion: Table
-        elastic: Table
-        materials: Table
-        roughness: Table
-        lubricant: Table
-        contact: Table
-        plastic: Table
-        friction: Table
-        thermal: Table
-        tribofilm: Table
-        wear: Table
-        track: Table
-        schedule: Table
-        cycle: Table
-        stress: Table
-        solver: Table
+    form: _tables.Form
+    load: _tables.Load
+    motion: _tables.Motion
+    elastic: _tables.Elastic
+    materials: _tables.Materials
+    roughness: _tables.Roughness
+    lubricant: _tables.Lubricant
+    plastic: _tables.Plastic
+    friction: _tables.Friction
+    thermal: _tables.Thermal
+    tribofilm: _tables.Tribofilm
+    wear: _tables.Wear
+    track: _tables.Track
+    schedule: _tables.Schedule
+    cycle: _tables.Cycle
+    stress: _tables.Stress
+    solver: _tables.Solver
 
     def __init__(
         self,

@@ -12,10 +12,10 @@ import numpy.typing as npt
 
 from ._arguments import Quantity, instance, named, number, optional_heights, path as _path, refused, text, writing
 from ._held import held
-from ._numbers import Fields, Numbers, Table, flat, frame, units, xarray
+from ._numbers import Fields, Numbers, dataset, flat, frame
 from ._solved import Report, Solved
 from ._stribeck import solve as _solve
-from ._typed import Contact, Errors, Film, Flow, Friction, Hertz, Moes, Pressure, Roughness
+from ._typed import SolvedContact
 from .bodies import BodyStart
 from .errors import InputError, InterruptedSolve, StribeckWarning, found, say
 from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw
@@ -32,37 +32,18 @@ _log = logging.getLogger("stribeck")
 _STARTS = {"pressure", "fluid_pressure", "film", "theta", "plastic_depth", "in_contact"}
 
 
-class Solution(Solved):
+class Solution(Solved, SolvedContact):
     """A solved contact. Numbers have the names of the command's JSON, all SI: ``film.central``, ``film.lambda_``,
     ``contact.load_ratio``, ``friction.coefficient``, ``residual.mass``, ``status``, ``warnings`` and so on.
 
     ``fields`` holds maps of the shape ``(ny, nx)`` by name: ``pressure``, ``fluid_pressure`` [Pa], ``film``, ``gap``, ``plastic_depth`` [m],
-    ``theta`` (filled share of the gap) and ``in_contact``; with ``lubricant.thermal`` also ``film_temperature`` [K].
+    ``theta`` (filled share of the gap) and ``in_contact``; with ``lubricant.thermal`` also ``film_temperature`` [K]. They are read-only;
+    ``fields["film"].copy()`` can be changed.
     """
 
     __slots__ = ("_nodes", "fields", "scene")
 
-    hertz: Hertz
-    moes: Moes | None
-    film: Film
-    pressure: Pressure
-    contact: Contact
-    friction: Friction
-    roughness: Roughness
-    flow: Flow | None
-    approach: float
-    stress: Table | None
-    thermal: Table | None
-    error_estimate: Errors | None
-    strategy: str | None
-    model: str | None
-    scheme: str | None
-    face_mobility: str | None
-    cavitation: str | None
-    contact_definition: str | None
-    version: str
-    seconds: float
-    fields: dict[str, npt.NDArray[Any]]
+    fields: Mapping[str, npt.NDArray[Any]]
     _nodes: Nodes | None
     #: The scene that was solved; None for a contact of bodies within a history.
     scene: Scene | None
@@ -76,7 +57,7 @@ class Solution(Solved):
     ) -> None:
         super().__init__(values)
         object.__setattr__(self, "scene", scene)
-        object.__setattr__(self, "fields", Fields(fields or {}))
+        object.__setattr__(self, "fields", Fields.read_only(fields or {}))
         object.__setattr__(self, "_nodes", nodes)
 
     @property
@@ -115,14 +96,8 @@ class Solution(Solved):
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` of the fields over ``y`` and ``x`` [m], with units; its attributes are the numbers by their full names and the
         scene as the text of a file. ``to_netcdf`` and ``to_zarr`` write it as it is."""
-        xr = xarray()
-
-        grid = self.grid
-        fields = {name: (("y", "x"), field, {"units": units(name)}) for name, field in self.fields.items()}
-        places = {"x": ("x", grid.x, {"units": "m"}), "y": ("y", grid.y, {"units": "m"})}
-        numbers = {name: value for name, value in flat(self).items() if value is not None}
-        scene = {} if self.scene is None else {"scene": self.scene.to_toml()}
-        return xr.Dataset(fields, coords=places, attrs={**numbers, **scene})
+        scene = None if self.scene is None else self.scene.to_toml()
+        return dataset(self.fields, self.grid.x, self.grid.y, {**flat(self), "scene": scene})
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.to_dict(), self.fields, self._nodes, self.scene)

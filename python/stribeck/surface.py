@@ -17,7 +17,9 @@ from .errors import InputError, StribeckWarning, SurfaceError, unknown
 from .scene import Grid
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.axes import Axes
+
+    from .plot import SurfacePicture
 
 __all__ = ["Surface", "dimples", "generate", "grooves", "read"]
 
@@ -187,12 +189,12 @@ class Surface:
         """The surface as a topography of the package SurfaceTopography, in metres; of a single row a line scan."""
         return _exchange.to_surface_topography(self)
 
-    def plot(self) -> Figure:
-        """A figure of the height map with undefined points in grey, the middle profile, the height distribution, the bearing curve with the
-        construction of Sk, and the spectrum. Needs matplotlib."""
+    def plot(self, *, ax: Sequence[Axes] | None = None) -> SurfacePicture:
+        """The height map with undefined points in grey, the middle profile, the height distribution, the bearing curve with the construction
+        of Sk, and the spectrum, as :func:`stribeck.plot.surface`: ``surface.plot().figure.savefig("disc.png")``. Needs matplotlib."""
         from .plot import surface
 
-        return surface(self)
+        return surface(self, ax=ax)
 
     def __repr__(self) -> str:
         spacing = "unknown spacing" if self.dx is None or self.dy is None else f"{self.dx * 1e6:g} x {self.dy * 1e6:g} um apart"

@@ -276,7 +276,7 @@ def test_a_profile_is_drawn_with_its_spectrum() -> None:
     import matplotlib.pyplot as plt
 
     wave = 1e-7 * np.sin(2 * np.pi * np.arange(9600) / 96)
-    figure = Surface(wave[np.newaxis], 1e-6).plot()
+    figure = Surface(wave[np.newaxis], 1e-6).plot().figure
     assert figure.axes[0].get_aspect() == "auto"
     spectrum = next(axes for axes in figure.axes if axes.get_xlabel() == "wavenumber, 1/m")
     wavenumber, density = spectrum.lines[0].get_data()
@@ -291,7 +291,7 @@ def test_a_surface_is_drawn() -> None:
     matplotlib.use("agg")
     import matplotlib.pyplot as plt
 
-    figure = Surface(np.where(np.arange(256).reshape(16, 16) % 37 == 3, np.nan, np.random.default_rng(1).normal(size=(16, 16)) * 1e-7), 1e-6).plot()
+    figure = Surface(np.where(np.arange(256).reshape(16, 16) % 37 == 3, np.nan, np.random.default_rng(1).normal(size=(16, 16)) * 1e-7), 1e-6).plot().figure
     labels = {axes.get_xlabel() for axes in figure.axes}
     assert {"x, um", "height, um", "material ratio", "wavenumber, 1/m"} <= labels
     bearing = next(axes for axes in figure.axes if axes.get_xlabel() == "material ratio")
@@ -299,3 +299,24 @@ def test_a_surface_is_drawn() -> None:
     image = figure.axes[0].images[0]
     assert image.cmap.get_bad()[0] == pytest.approx(0.67) and np.ma.getmaskarray(image.get_array()).sum() == 7
     plt.close(figure)
+
+
+def test_a_surface_is_drawn_into_given_axes_and_returns_its_artists() -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    import matplotlib.pyplot as plt
+
+    from stribeck import plot
+
+    measured = Surface(np.random.default_rng(1).normal(size=(16, 16)) * 1e-7, 1e-6)
+    figure, axes = plt.subplots(1, 5)
+    drawn = plot.surface(measured, ax=axes)
+    assert drawn.figure is figure
+    assert [artist.axes for artist in (drawn.map, drawn.profile[0], drawn.heights[0], drawn.bearing[0], drawn.spectrum[0])] == list(axes)
+    assert len(drawn.bearing) == 4 and not Surface(np.eye(3), 1e-6).plot().spectrum
+    for wrong in (axes[0], axes[:4], 3):
+        with pytest.raises(stribeck.InputError, match="ax = "):
+            plot.surface(measured, ax=wrong)
+    with pytest.raises(stribeck.InputError, match="measured"):
+        plot.surface(np.eye(16))
+    plt.close("all")

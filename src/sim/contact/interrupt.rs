@@ -2,6 +2,7 @@
 //!
 //! Solvers need no support for it: every solver computes a displacement in each iteration, and the deformation model
 //! returns an error when the solve is interrupted. A flag records this, whatever the solver does with the error.
+//! Preparations of large meshes poll the interrupt between their parts.
 
 use std::fmt;
 use std::sync::Arc;
@@ -11,6 +12,7 @@ use crate::elastic::{DeformationModel, ResponseApproximations};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::sim::contact::boxed_clone::OwnedModel;
+use crate::sim::error::SimError;
 
 /// Callback that returns whether to interrupt the present solve.
 #[derive(Clone)]
@@ -26,6 +28,17 @@ impl Interrupt {
     /// An interrupt with the callback `asked`.
     pub(in crate::sim) fn new(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Arc::new(asked))
+    }
+
+    /// Polls the interrupt, if any.
+    ///
+    /// # Errors
+    /// An interruption.
+    pub(in crate::sim) fn poll(interrupt: Option<&Self>) -> Result<(), SimError> {
+        match interrupt {
+            Some(interrupt) if (interrupt.0)() => Err(SimError::Interrupted),
+            _ => Ok(()),
+        }
     }
 }
 

@@ -102,8 +102,10 @@ impl ContactModel {
         let hertz = scene.hertz()?;
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
+        Interrupt::poll(custom.interrupt.as_ref())?;
         let has_own_body = custom.deformation.is_some();
         let deformation = checked_deformation(scene, grid, custom.deformation)?;
+        Interrupt::poll(custom.interrupt.as_ref())?;
         let deformation = WithLocalCompliance::new(Interruptible::new(deformation, custom.interrupt));
         let laws = (custom.viscosity, custom.density);
         let lubricant = lubricant(scene, conditions.bulk_temperature, laws)?;
@@ -142,6 +144,14 @@ impl ContactModel {
             load: conditions.load,
             bulk_temperature: conditions.bulk_temperature,
         })
+    }
+
+    /// Polls the interrupt of the solves, if any.
+    ///
+    /// # Errors
+    /// An interruption.
+    pub(in crate::sim) fn poll(&self) -> Result<(), SimError> {
+        Interrupt::poll(self.deformation.bodies().interrupt())
     }
 
     /// Sets the tribofilms of ball and disc \[m\] as placed in the contact, for the next solves.

@@ -94,7 +94,7 @@ impl SimBuilder {
     /// warnings known by then.
     ///
     /// # Errors
-    /// The input errors of [`solve`](Self::solve). Errors of a history only are found by
+    /// The input errors of [`solve`](Self::solve), an interruption. Errors of a history only are found by
     /// [`check`](Self::check).
     ///
     /// ```
@@ -154,10 +154,14 @@ impl SimBuilder {
             setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
         }
         let laws = self.laws()?;
-        let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        let ball = self.body(0, &contact, &laws)?;
+        contact.poll()?;
+        let bodies = [ball, self.body(1, &contact, &laws)?];
+        contact.poll()?;
         asperity_inlets::require_no_lay(&self.scene, &contact.grid, bodies.each_ref().map(Body::initial))?;
         let warnings = self.warnings(replaced, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(replaced, &bodies);
+        contact.poll()?;
         let state = start(&contact.grid)?;
         let mut prepared = PreparedContact::new(self.scene, contact, bodies, laws, state)?;
         prepared.warnings = warnings;
@@ -250,11 +254,13 @@ impl PreparedContact {
                 Some(yielding.limit)
             }
         };
+        model.poll()?;
         let friction = FrictionFields::new(&scene, grid.len())?;
         let film_heat = FilmIteration::new(&scene, &model)?;
         model.reuses_buffers = film_heat.is_some();
         let rq = bodies.each_ref().map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
         model.check(&gap, limit.as_deref(), &state)?;
+        model.poll()?;
         let warnings = Vec::new();
         Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, film_heat, rq, warnings })
     }
