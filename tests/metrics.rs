@@ -409,6 +409,29 @@ fn gradient_and_area_of_a_software_gauge_are_the_stated_ones() {
 }
 
 #[test]
+fn area_of_a_small_map_with_a_gap_is_that_of_its_plane() {
+    // the heights 1 to 12 in three rows, the second of the middle one undefined: slopes 1/2 along x and 2 along y
+    let grid = Grid::centred(4, 3, 2.0, 2.0).unwrap();
+    let heights: Vec<f64> = (1..=12).map(f64::from).collect();
+    let defined: Vec<bool> = (0..12).map(|k| k != 5).collect();
+    let hybrid = hybrid_parameters(&grid, &heights, Some(&defined)).unwrap();
+    assert_relative_eq!(hybrid.sdq, 4.25_f64.sqrt(), max_relative = 1e-12);
+    assert_relative_eq!(hybrid.sdr, 5.25_f64.sqrt() - 1.0, max_relative = 1e-12);
+    // no point of a diagonal has neighbors along both axes
+    let cross: Vec<bool> = (0..12).map(|k| [0, 1, 6, 10].contains(&k)).collect();
+    assert!(hybrid_parameters(&grid, &heights, Some(&cross)).unwrap().sdr.is_nan());
+}
+
+#[test]
+fn a_profile_has_no_texture_aspect() {
+    let grid = Grid::centred(64, 1, 1e-6, 1e-6).unwrap();
+    let wave: Vec<f64> = (0..64).map(|i| (f64::from(i) * std::f64::consts::TAU / 16.0).sin()).collect();
+    let correlation = AreaCorrelation::new(&grid, &wave, None, Boundary::Periodic).unwrap();
+    let spatial = correlation.spatial(0.2).unwrap();
+    assert!(spatial.sal.is_some() && spatial.str.is_none(), "{spatial:?}");
+}
+
+#[test]
 fn slopes_of_known_shapes() {
     // a roof with holes: the same slope wherever the seven points are on one side
     let grid = Grid::centred(400, 400, 1e-7, 1e-7).unwrap();

@@ -166,6 +166,28 @@ fn refinement_stops_at_an_interrupt() {
 }
 
 #[test]
+fn preparation_heeds_an_interrupt() {
+    let mut estimated = scene();
+    estimated.solver.estimate = true;
+    for scene in [scene(), estimated] {
+        let asked = Arc::new(AtomicU32::new(0));
+        let count = Arc::clone(&asked);
+        let builder = MixedLubricationSim::builder(scene.clone());
+        builder.interrupt(move || count.fetch_add(1, Ordering::Relaxed) == u32::MAX).check_contact().unwrap();
+        let questions = asked.load(Ordering::Relaxed);
+        assert!(questions >= 6, "{questions} questions");
+        for after in 0..questions {
+            let asked = Arc::new(AtomicU32::new(0));
+            let count = Arc::clone(&asked);
+            let builder = MixedLubricationSim::builder(scene.clone());
+            let checked = builder.interrupt(move || count.fetch_add(1, Ordering::Relaxed) >= after).check_contact();
+            assert!(matches!(checked, Err(SimError::Interrupted)), "after {after} questions: {checked:?}");
+            assert_eq!(asked.load(Ordering::Relaxed), after + 1);
+        }
+    }
+}
+
+#[test]
 fn an_interrupted_step_leaves_the_simulation_as_before() {
     let scene = scene().with_tribofilm();
     let mut whole = MixedLubricationSim::builder(scene.clone()).build().unwrap();

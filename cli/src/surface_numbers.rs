@@ -62,7 +62,7 @@ impl Numbers {
             ("sv", Some(statistics.sv)),
             ("sz", Some(statistics.sz)),
             ("sdq", hybrid.map(|hybrid| hybrid.sdq)),
-            ("sdr", hybrid.map(|hybrid| hybrid.sdr)),
+            ("sdr", hybrid.map(|hybrid| hybrid.sdr).filter(|sdr| sdr.is_finite())),
             ("sal", spatial.and_then(|spatial| spatial.sal)),
             ("str", spatial.and_then(|spatial| spatial.str)),
             ("sk", Some(core.sk)),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import keyword
 from collections.abc import Iterator
 from functools import lru_cache
 from typing import get_args, get_type_hints
@@ -52,7 +51,8 @@ def units(name: str) -> str:
 @lru_cache(maxsize=1)
 def _known() -> frozenset[str]:
     names = {name for kind in _KINDS for name in _numbers(kind)}
-    keys = {f"{table}.{name}" for table, kind in get_type_hints(Scene).items() for name in _numbers(kind)}
+    tables = {**get_type_hints(Scene), "grid": Grid}
+    keys = {f"{table}.{name}" for table, kind in tables.items() for name in _numbers(kind)}
     return frozenset({*names, *keys, *_tables.UNITS, *COLUMNS, *FIELDS, *OF_CYCLES})
 
 
@@ -61,12 +61,12 @@ def _numbers(kind: type, prefix: str = "") -> Iterator[str]:
     for attribute, hint in get_type_hints(kind).items():
         if attribute.startswith("_") or attribute in _NO_NUMBERS:
             continue
-        word = attribute.removesuffix("_")
-        name = f"{prefix}{word if keyword.iskeyword(word) else attribute}"
+        name = f"{prefix}{attribute.removesuffix('_')}"
         inner = next((part for part in (hint, *get_args(hint)) if isinstance(part, type) and issubclass(part, Numbers)), None)
         if inner is Grid:
             continue
-        if inner is None:
+        if inner is None or inner is not hint:
+            # also a table that may be None
             yield name
-        else:
+        if inner is not None:
             yield from _numbers(inner, f"{name}.")

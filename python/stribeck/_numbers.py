@@ -77,6 +77,7 @@ _PATHS = {
     "groove_flow": "m^3/s",
     "outlet_temperature": "K",
     "short_roughness": "m",
+    "stress": "",
     "supply_temperature": "K",
     "temperature": "K",
     "entrainment_speed": "m/s",
@@ -100,9 +101,9 @@ def unit(path: str) -> str:
     from ._tables import UNITS
 
     path = path.removeprefix("scene.")
-    known = FIELDS.get(path) or _PATHS.get(path) or UNITS.get(path)
-    if known is not None:
-        return known
+    for known in (FIELDS, _PATHS, UNITS):
+        if path in known:
+            return known[path]
     return "" if path.startswith("error_estimate.") else _UNITS.get(path.rsplit(".", 1)[-1], "")
 
 
@@ -138,8 +139,8 @@ def same(one: Any, other: Any) -> bool:
 
 
 class Numbers(Mapping[str, Any]):
-    """A read-only table of numbers, nested; ``n.film.central`` is ``n["film"]["central"]`` and ``n["film.central"]``. Of a name that is a word of Python the
-    attribute ends with an underscore: ``n.film.lambda_``."""
+    """A read-only table of numbers, nested; ``n.film.central`` is ``n["film"]["central"]`` and ``n["film.central"]``. Of a name that is a word of
+    Python, or a method of mappings, the attribute ends with an underscore: ``n.film.lambda_``, ``scene.schedule.load.values_``."""
 
     __slots__ = ("_path", "_units", "_values")
 
@@ -192,7 +193,7 @@ class Numbers(Mapping[str, Any]):
     __hash__ = None  # type: ignore[assignment]
 
     def __dir__(self) -> list[str]:
-        names = (f"{name}_" if keyword.iskeyword(name) else name for name in self._values)
+        names = (f"{name}_" if keyword.iskeyword(name) or hasattr(Mapping, name) else name for name in self._values)
         return sorted({*super().__dir__(), *names})
 
     def __reduce__(self) -> tuple[Any, ...]:

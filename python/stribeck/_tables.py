@@ -308,7 +308,7 @@ class ScheduleLoad(Numbers):
     kind: str
     value: float
     times: list[float]
-    values: list[float]
+    values_: list[float]
     path: str
 
 
@@ -319,7 +319,7 @@ class ScheduleEntrainmentSpeed(Numbers):
     kind: str
     value: float
     times: list[float]
-    values: list[float]
+    values_: list[float]
     path: str
 
 
@@ -330,7 +330,7 @@ class ScheduleSlideRollRatio(Numbers):
     kind: str
     value: float
     times: list[float]
-    values: list[float]
+    values_: list[float]
     path: str
 
 
@@ -341,7 +341,7 @@ class ScheduleBulkTemperature(Numbers):
     kind: str
     value: float
     times: list[float]
-    values: list[float]
+    values_: list[float]
     path: str
 
 

@@ -273,16 +273,15 @@ def surface(measured: Surface, *, ax: Sequence[Axes] | None = None) -> SurfacePi
         # a line as wide as it is long
         of_map.set_aspect("auto")
     of_profile.set_title(f"row {ny // 2}")
-    bars = of_heights.hist((1e6 * measured.to_masked()).compressed(), bins=60, density=True)[2]
+    bars = cast("BarContainer", of_heights.hist((1e6 * measured.to_masked()).compressed(), bins=60, density=True)[2])
     of_heights.set(xlabel="height, um", ylabel="density, 1/um")
     return SurfacePicture(image, lines, bars, _bearing(of_bearing, measured), _spectrum_of(of_spectrum, measured))
 
 
 def _five_axes() -> list[Any]:
     _, axes = _pyplot().subplots(2, 3, figsize=(15, 8), layout="constrained")
-    *five, last = axes.flat
-    last.set_axis_off()
-    return five
+    axes[1, 2].set_axis_off()
+    return list(axes.flat)[:_PICTURES]
 
 
 def _spectrum_of(axes: Axes, measured: Surface) -> list[Line2D]:

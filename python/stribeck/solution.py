@@ -123,8 +123,8 @@ def solve(
     dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact,
     ``deformation`` a model of the elastic bodies, ``viscosity`` and ``density`` are laws of the lubricant, ``plasticity`` is the largest pressure of the
     bodies (:mod:`stribeck.laws`). ``solver`` is the name of a solver in place of that of the scene, or one in Python, ``start`` a solution on the same
-    grid whose pressures are a first guess. After ``budget`` [s] the solve ends with :class:`~stribeck.InterruptedSolve`, refined grids
-    included. Other threads run meanwhile; Ctrl-C ends the solve. The logger ``stribeck`` says status and work of each solve at the level ``INFO``. What is unlikely to be meant is said as a
+    grid whose pressures are a first guess. After ``budget`` [s] the solve ends with :class:`~stribeck.InterruptedSolve`, at its next iteration or
+    between two parts of its preparation, refined grids included. Other threads run meanwhile; Ctrl-C ends the solve. The logger ``stribeck`` says status and work of each solve at the level ``INFO``. What is unlikely to be meant is said as a
     :class:`~stribeck.StribeckWarning` and stands in ``warnings`` of the solution.
 
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``

@@ -33,7 +33,7 @@ Measure = Callable[[Solution], Any]
 
 def sweep(
     scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
-    over: Mapping[str, Iterable[Any]],
+    over: Mapping[str, Any],
     *,
     how: Literal["product", "zip"] = "product",
     measure: Measure | None = None,
@@ -50,7 +50,7 @@ def sweep(
     scene
         A scene, or what :class:`Scene` takes.
     over
-        Values by the paths of their keys: ``{"motion.entrainment_speed": [0.1, 0.2], "load.force": ["10 N", "20 N"]}``.
+        Lists or arrays of values by the paths of their keys: ``{"motion.entrainment_speed": [0.1, 0.2], "load.force": ["10 N", "20 N"]}``.
     how
         ``"product"`` for all combinations, the last key fastest, ``"zip"`` for values side by side.
     measure
@@ -108,7 +108,7 @@ def sweep(
     return Sweep(points, _in_si(known, inputs, how) if is_whole else known, how == "product" and is_whole)
 
 
-def _points(scene: Scene, over: Mapping[str, Iterable[Any]], how: str) -> tuple[dict[str, list[Any]], list[Scene]]:
+def _points(scene: Scene, over: Mapping[str, Any], how: str) -> tuple[dict[str, list[Any]], list[Scene]]:
     """Values by key, and the scenes of all points."""
     if how not in ("product", "zip"):
         raise refused("how", how, "product or zip")

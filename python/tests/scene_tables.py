@@ -94,7 +94,8 @@ def explained(tables: list[str]) -> dict[str, str]:
     found = {}
     for row in re.split(r"^(?=\[)", shown, flags=re.MULTILINE):
         head = re.match(r"((?:\[[\w.]+\](?:, )?)+) (.+)", row)
-        if head is None:
+        if head is None or "\n  meaning: " not in row:
+            # a row of names: of materials, or of kinds
             continue
         unit = re.search(r"^  unit: (.+)$", row, re.MULTILINE)
         symbol = "" if unit is None or unit[1] == "1" else unit[1].partition(", ")[0]
@@ -143,7 +144,8 @@ def source() -> str:
     for path, keys in tables.items():
         if path == _APART:
             continue
-        lines = "\n".join(f"    {key}: {kind}" for key, kind in keys.items())
+        # a name that tables have as mappings
+        lines = "\n".join(f"    {key}_: {kind}" if hasattr(dict, key) else f"    {key}: {kind}" for key, kind in keys.items())
         parts.append(f'\n\nclass {_class(path)}(Numbers):\n    """``[{path}]``."""\n\n    __slots__ = ()\n{lines}\n')
     rows = "\n".join(f'    "{path}": "{unit}",' for path, unit in units.items())
     parts.append(f"\n\n#: Units of keys by their paths; ratios, counts and words have none.\nUNITS = {{\n{rows}\n}}\n")

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import doctest
+import pkgutil
 import re
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -37,3 +40,9 @@ def test_readme_goes_from_scene_to_stribeck_curve(capsys: pytest.CaptureFixture[
     exec(compile(block, "python/README.md", "exec"), {})
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 7 and "friction.coefficient" in lines[0]
+
+
+def test_examples_of_docstrings_hold() -> None:
+    names = [module.name for module in pkgutil.iter_modules(stribeck.__path__, "stribeck.") if module.name != "stribeck.__main__"]
+    results = [doctest.testmod(module) for module in (stribeck, *map(import_module, names))]
+    assert sum(result.failed for result in results) == 0 and sum(result.attempted for result in results) >= 10

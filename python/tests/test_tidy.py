@@ -39,6 +39,7 @@ def test_every_name_of_a_table_has_a_unit(rough: stribeck.Scene) -> None:
     sweep = stribeck.sweep(rough, {"load.force": [20.0]}, measure=lambda solution: {"peak": 1.0})
     for table in (solution.to_pandas(), sweep.to_pandas(), stribeck.Simulation(rough).run(1, 10.0).to_pandas()):
         assert all(unit == stribeck.units(name) for name, unit in table.attrs["units"].items() if name != "peak")
+    assert stribeck.units("stress") == "" and stribeck.units("stress.von_mises.stress") == "Pa"
 
 
 def test_fields_of_solutions_are_read_only(rough: stribeck.Scene) -> None:

@@ -47,7 +47,7 @@ pub struct SpatialParameters {
     /// Autocorrelation length \[m\]: shortest lag at which the function falls to the threshold; `None` if it
     /// stays above.
     pub sal: Option<f64>,
-    /// Texture aspect ratio: `sal` over the longest such lag, 0 (lay) to 1 (isotropic); `None` if the
+    /// Texture aspect ratio: `sal` over the longest such lag, 0 (lay) to 1 (isotropic); `None` for a profile, and if the
     /// function stays above the threshold up to the largest lag in some direction.
     pub str: Option<f64>,
 }
@@ -196,7 +196,7 @@ impl AreaCorrelation {
         }
         Ok(SpatialParameters {
             sal: nearest.is_finite().then_some(nearest),
-            str: (nearest.is_finite() && !reaches_edge).then(|| nearest / farthest),
+            str: (nearest.is_finite() && !reaches_edge && !self.reach.contains(&0)).then(|| nearest / farthest),
         })
     }
 }

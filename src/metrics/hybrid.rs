@@ -24,7 +24,8 @@ use crate::grid::Grid;
 pub struct HybridParameters {
     /// Root mean square gradient; of a line the slope along it alone.
     pub sdq: f64,
-    /// Developed area over projected area, less 1; of a line its developed length over its projected one, less 1.
+    /// Developed area over projected area, less 1; of a line its developed length over its projected one, less 1; NaN where no
+    /// point has defined neighbors along both axes.
     pub sdr: f64,
 }
 
@@ -36,8 +37,9 @@ pub struct HybridParameters {
 ///
 /// Slopes are those of the seven-point formula
 /// `(z[i+3] - 9 z[i+2] + 45 z[i+1] - 45 z[i-1] + 9 z[i-2] - z[i-3]) / (60 dx)`
-/// at points whose seven points are defined. Where an axis has no such point the formula of five, three or two
-/// points stands in. A line (one row or one column) has the slope along it alone, and Sdr is the excess of its length. Both parameters grow with the resolution of a surface that is rough at every scale: filter
+/// at points whose seven points are defined. Where an axis has no such point, or no point has it along both axes, the
+/// formula of five, three or two points stands in. A line (one row or one column) has the slope along it alone, and Sdr is
+/// the excess of its length. Both parameters grow with the resolution of a surface that is rough at every scale: filter
 /// first.
 ///
 /// Sources: ISO 25178-2 (definitions), ISO 4287:1997, 3.2.9 (formula).
@@ -62,9 +64,22 @@ pub fn hybrid_parameters(
     let mask = Mask::new(grid, heights, defined)?;
     let (nx, ny) = (grid.nx(), grid.ny());
     let field = Field { mask, heights };
-    let along_x = Slopes::of(&field, Line { points: nx, lines: ny, step: 1, between: nx }, grid.dx());
-    let along_y = Slopes::of(&field, Line { points: ny, lines: nx, step: nx, between: 1 }, grid.dy());
+    let axes = [
+        (Line { points: nx, lines: ny, step: 1, between: nx }, grid.dx()),
+        (Line { points: ny, lines: nx, step: nx, between: 1 }, grid.dy()),
+    ];
     let is_line = nx == 1 || ny == 1;
+    let has_both = |[along_x, along_y]: &[Slopes<'_>; 2]| {
+        (0..heights.len()).any(|k| along_x.at(k % nx, k).is_some() && along_y.at(k / nx, k).is_some())
+    };
+    let best = axes.map(|(line, spacing)| Slopes::of(&field, line, spacing));
+    let [along_x, along_y] = if is_line || has_both(&best) {
+        best
+    } else {
+        let formulas = CENTRAL.into_iter().map(Some).chain([None]);
+        let of_both = |weights| axes.map(|(line, spacing)| Slopes { field: &field, line, spacing, weights });
+        formulas.map(of_both).find(has_both).unwrap_or(best)
+    };
     let (mut square_x, mut square_y, mut area) = (Mean::default(), Mean::default(), Mean::default());
     for k in 0..heights.len() {
         let (i, j) = (k % nx, k / nx);
@@ -83,7 +98,8 @@ pub fn hybrid_parameters(
             reason: "slopes need two defined neighbors".to_owned(),
         });
     }
-    Ok(HybridParameters { sdq: (square_x.value() + square_y.value()).sqrt(), sdr: area.value() })
+    let sdr = if area.count > 0 { area.value() } else { f64::NAN };
+    Ok(HybridParameters { sdq: (square_x.value() + square_y.value()).sqrt(), sdr })
 }
 
 /// Weights of a slope on both sides of a point, by distance, over the spacing: of seven, five and three points.

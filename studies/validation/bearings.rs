@@ -7,6 +7,7 @@ use stribeck::Grid;
 use stribeck::lubricant::{Barus, DowsonHigginson, Incompressible, Lubricant};
 use stribeck::reynolds::{FilmThickness, GivenFilm};
 
+use crate::pocket_slider::{ETA, PocketSlider};
 use crate::report::{Effort, Number, Outcome, Row};
 
 /// Eccentricity, width over diameter, Sommerfeld number, attitude angle \[deg\], side flow: Butenschoen (1976),
@@ -132,6 +133,43 @@ pub(crate) fn pocket(_effort: Effort) -> Outcome<Row> {
             Number::relative("peak pressure", "200 x 100 cells", "MPa", 8.50, 1e-6 * peak, 0.025),
             Number::absolute("place of the peak over the length", "200 x 100 cells", "", 0.504, place, 0.003),
         ],
+        extra: String::new(),
+        figures: Vec::new(),
+    })
+}
+
+/// Cells of the slider.
+const CELLS: usize = 1000;
+
+pub(crate) fn slider(effort: Effort) -> Outcome<Row> {
+    let speeds: &[f64] = if effort.is_full() { &[1e-4, 0.02, 0.05, 0.2, 1.0, 5.0] } else { &[0.02, 5.0] };
+    let of_speed = |speed: &f64| (format!("pocket of 1 um; {speed} m/s"), PocketSlider::fowell(*speed));
+    let deep = ("pocket of 5 um; 1 m/s".to_owned(), PocketSlider::giacopini());
+    let oil = Lubricant::new(Barus::new(ETA, 0.0)?, Incompressible);
+    let mut numbers = Vec::new();
+    for (case, slider) in speeds.iter().map(of_speed).chain([deep]) {
+        let (film, exact) = (slider.film_on(CELLS)?, slider.exact());
+        let solution = slider.problem(&film, &oil).solve()?;
+        solution.report.require_converged()?;
+        let end = solution.pressure_at(PocketSlider::POCKET[1], 0).ok_or("no pressure")?;
+        // of second order
+        let bound = 0.3 / (CELLS * CELLS) as f64;
+        let mut add = |group, unit, exact: f64, found: f64, bound| {
+            numbers.push(Number::relative(group, case.clone(), unit, exact, found, bound));
+        };
+        add("pressure at the end of the pocket", "MPa", 1e-6 * exact.pressures[1], 1e-6 * end, 1e-8);
+        add("flow", "mm^2/s", 1e6 * exact.flow, 1e6 * solution.flow.outflow, 1e-9);
+        add("load", "N/m", exact.load, solution.load, bound);
+        if let (Some(exact), Some(found)) = (exact.reformation, solution.reformation(0)) {
+            add("place of reformation", "mm", 1e3 * exact, 1e3 * found, bound);
+        }
+    }
+    Ok(Row {
+        name: "slider",
+        quantity: "Sliders with a pocket, cavitation",
+        reference: "closed form: integrals of the film, after Fowell et al. (2007) and Giacopini et al. (2010)",
+        range: "10 mm, films 1 to 6 um, 1e-4 to 5 m/s, 1000 cells",
+        numbers,
         extra: String::new(),
         figures: Vec::new(),
     })

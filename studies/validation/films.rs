@@ -121,3 +121,36 @@ pub(crate) fn lines(effort: Effort) -> Outcome<Row> {
         figures: Vec::new(),
     })
 }
+
+/// Film by the formula of Brewe, Hamrock and Taylor and film of the solution \[m\] of a ball of 15 mm that hardly deflects.
+fn rigid_ball() -> Outcome<[f64; 2]> {
+    let (radius, modulus, eta0, load, speed) = (15e-3, 230e9, 0.05, 0.765, 3.15);
+    let oil = LubricantSpec::roelands(eta0, 0.6).with_alpha(Some(ALPHA));
+    let mut scene = scene(Form::Sphere { radius }, load, speed, oil);
+    scene.elastic.equivalent_modulus = modulus;
+    let a = scene.hertz()?.half_width_x;
+    scene.grid = GridSpec::Cells { nx: 54, ny: 48, x: [-5.0 * a, 1.75 * a], y: [-3.0 * a, 3.0 * a] };
+    let side = (1.0 + 2.0_f64 / 3.0).powi(-2) * (0.131 * 0.5_f64.atan() + 1.683).powi(2);
+    let speed_over_load = eta0 * speed * radius / load;
+    Ok([128.0 * radius * side * speed_over_load * speed_over_load, central(&scene)?])
+}
+
+pub(crate) fn rigid(_: Effort) -> Outcome<Row> {
+    let [formula, film] = rigid_ball()?;
+    Ok(Row {
+        name: "rigid_films",
+        quantity: "Film of a ball that hardly deflects",
+        reference: "fit to computations: Brewe, Hamrock and Taylor (1979)",
+        range: "M 0.5, L 15.6",
+        numbers: vec![Number::relative(
+            "central film",
+            "15 mm; 0.77 N; 3.15 m/s",
+            "um",
+            1e6 * formula,
+            1e6 * film,
+            0.02,
+        )],
+        extra: String::new(),
+        figures: Vec::new(),
+    })
+}

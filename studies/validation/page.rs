@@ -9,27 +9,46 @@ use crate::report::{CSV_HEADER, Row};
 pub(crate) fn write_files(rows: &[Row], csv: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     let numbers: String = rows.iter().map(Row::csv).collect();
     std::fs::write(csv, format!("{CSV_HEADER}\n{numbers}"))?;
+    write_figures(rows, folder)
+}
+
+fn write_figures(rows: &[Row], folder: &Path) -> Result<(), Box<dyn Error>> {
     for (name, figure) in rows.iter().flat_map(|row| &row.figures) {
         figure.write(&folder.join(format!("{name}.svg")))?;
     }
     Ok(())
 }
 
-/// Renews the tables of `validation.md` in `folder`, between `<!-- NAME -->` and `<!-- /NAME -->`, and the files beside it.
+/// Renews the tables of `rows` in `validation.md` of `folder`, between `<!-- NAME -->` and `<!-- /NAME -->`, their lines in the
+/// table of all rows, and their part of the files beside it.
 pub(crate) fn renew(rows: &[Row], folder: &Path) -> Result<(), Box<dyn Error>> {
     let path = folder.join("validation.md");
     let mut page = std::fs::read_to_string(&path)?;
-    let lines: Vec<String> = rows.iter().map(Row::trust_line).collect();
-    let trust =
-        format!("| compared | reference | range | deviation |\n|---|---|---|---|\n{}\n", lines.join("\n"));
-    page = replaced(&page, "trust", &trust)?;
     for row in rows {
+        page = renewed(&page, &row.trust_line(), |line| line.contains(&format!("](#{})", row.anchor())))
+            .ok_or_else(|| format!("the table of all rows has no line that links to #{}", row.anchor()))?;
         page = replaced(&page, row.name, &row.table())?;
     }
     std::fs::write(&path, page)?;
+    let csv = folder.join("validation.csv");
+    let mut numbers = std::fs::read_to_string(&csv)?;
+    for row in rows {
+        let is_own = |line: &str| line.starts_with(&format!("{},", row.name));
+        let own = row.csv();
+        numbers = renewed(&numbers, own.trim_end(), is_own).unwrap_or_else(|| format!("{numbers}{own}"));
+    }
     let figures = folder.join("validation");
     std::fs::create_dir_all(&figures)?;
-    write_files(rows, &folder.join("validation.csv"), &figures)
+    std::fs::write(csv, numbers)?;
+    write_figures(rows, &figures)
+}
+
+/// The lines of `text` with `own` in place of those that `is_own` finds; `None` where it finds none.
+fn renewed(text: &str, own: &str, is_own: impl Fn(&str) -> bool) -> Option<String> {
+    let first = text.lines().position(&is_own)?;
+    let lines = text.lines().enumerate().filter(|(k, line)| *k == first || !is_own(line));
+    let lines: Vec<&str> = lines.map(|(k, line)| if k == first { own } else { line }).collect();
+    Some(lines.join("\n") + "\n")
 }
 
 fn replaced(page: &str, name: &str, text: &str) -> Result<String, Box<dyn Error>> {

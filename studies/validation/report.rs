@@ -148,6 +148,11 @@ impl Row {
         groups
     }
 
+    /// The anchor of its heading on the page.
+    pub(crate) fn anchor(&self) -> String {
+        self.name.replace('_', "-")
+    }
+
     /// The line of the table of all rows.
     pub(crate) fn trust_line(&self) -> String {
         let groups = self.groups();
@@ -156,7 +161,7 @@ impl Row {
         format!(
             "| [{}](#{}) | {} | {} | {} |",
             self.quantity,
-            self.name.replace('_', "-"),
+            self.anchor(),
             self.reference,
             self.range,
             parts.join("; ")

@@ -3,6 +3,7 @@
 pub(crate) mod coated;
 pub(crate) mod dense;
 pub(crate) mod free_volume;
+pub(crate) mod pocket_slider;
 pub(crate) mod rolling;
 pub(crate) mod scene_text;
 

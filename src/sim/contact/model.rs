@@ -102,10 +102,8 @@ impl ContactModel {
         let hertz = scene.hertz()?;
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
-        Interrupt::poll(custom.interrupt.as_ref())?;
         let has_own_body = custom.deformation.is_some();
         let deformation = checked_deformation(scene, grid, custom.deformation)?;
-        Interrupt::poll(custom.interrupt.as_ref())?;
         let deformation = WithLocalCompliance::new(Interruptible::new(deformation, custom.interrupt));
         let laws = (custom.viscosity, custom.density);
         let lubricant = lubricant(scene, conditions.bulk_temperature, laws)?;

@@ -211,8 +211,9 @@ impl SimBuilder {
         self
     }
 
-    /// Interrupts a solve: `asked` is called once per iteration on the solving thread. When it returns true, the
-    /// solve ends with [`SimError::Interrupted`] and the simulation is as before the step.
+    /// Interrupts a solve: `asked` is called once per iteration on the solving thread, and between the parts of the
+    /// preparation of a single contact. When it returns true, the solve ends with [`SimError::Interrupted`] and the
+    /// simulation is as before the step.
     ///
     /// ```
     /// use std::sync::Arc;
