@@ -9,7 +9,7 @@ All numbers are SI. Fields are arrays of the shape ``(ny, nx)``, x along the flo
 'converged'
 """
 
-from . import analytic, elastic, laws, metrics, surface
+from . import analytic, elastic, laws, metrics, plot, surface
 from ._names import units
 from ._stribeck import __version__, set_num_threads as _set_num_threads
 from ._arguments import whole as _whole
@@ -79,6 +79,7 @@ __all__ = [
     "given_film",
     "laws",
     "metrics",
+    "plot",
     "read_body",
     "rigid_bearing",
     "set_num_threads",

@@ -269,7 +269,7 @@ class Fields(Mapping[str, npt.NDArray[Any]]):
 def read_only(field: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """The same array, whose values cannot be set."""
     view = field.view()
-    view.flags.writeable = False
+    view.setflags(write=False)
     return view
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import subprocess
 import sys
 from pathlib import Path
 
@@ -152,3 +153,8 @@ def test_scenes_are_values_with_attributes(rough: stribeck.Scene) -> None:
         _ = rough.motoin
     changed = rough.replace(**{"motion.entrainment_speed": "2 m/s", "wear": None})
     assert changed == rough.replace(motion={"entrainment_speed": 2.0}, wear=None)
+
+
+def test_pictures_are_at_hand_without_matplotlib() -> None:
+    code = "import sys, stribeck; assert callable(stribeck.plot.map) and 'matplotlib' not in sys.modules"
+    subprocess.run([sys.executable, "-c", code], check=True)
