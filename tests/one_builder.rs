@@ -180,7 +180,8 @@ fn preparation_heeds_an_interrupt() {
             let asked = Arc::new(AtomicU32::new(0));
             let count = Arc::clone(&asked);
             let builder = MixedLubricationSim::builder(scene.clone());
-            let checked = builder.interrupt(move || count.fetch_add(1, Ordering::Relaxed) >= after).check_contact();
+            let checked =
+                builder.interrupt(move || count.fetch_add(1, Ordering::Relaxed) >= after).check_contact();
             assert!(matches!(checked, Err(SimError::Interrupted)), "after {after} questions: {checked:?}");
             assert_eq!(asked.load(Ordering::Relaxed), after + 1);
         }

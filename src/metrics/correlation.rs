@@ -196,7 +196,8 @@ impl AreaCorrelation {
         }
         Ok(SpatialParameters {
             sal: nearest.is_finite().then_some(nearest),
-            str: (nearest.is_finite() && !reaches_edge && !self.reach.contains(&0)).then(|| nearest / farthest),
+            str: (nearest.is_finite() && !reaches_edge && !self.reach.contains(&0))
+                .then(|| nearest / farthest),
         })
     }
 }

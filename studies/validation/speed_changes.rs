@@ -24,8 +24,10 @@ const STEPS: usize = 64;
 /// A steel ball of 9.525 mm, or a roller of that radius, on glass at 0.5 GPa in an oil of 0.05 Pa s and 20 1/GPa.
 fn contact(is_ball: bool) -> Outcome<Rolling> {
     let modulus = equivalent_modulus([210e9, 0.3], [75e9, 0.22])?;
-    let oil =
-        Lubricant::new(Roelands::from_alpha(0.05, 20e-9, 0.68, 1.96e8)?, DowsonHigginson::new(0.6e-9, 1.7e-9)?);
+    let oil = Lubricant::new(
+        Roelands::from_alpha(0.05, 20e-9, 0.68, 1.96e8)?,
+        DowsonHigginson::new(0.6e-9, 1.7e-9)?,
+    );
     let (a, load, n) = if is_ball {
         let hertz = HertzPoint::from_max_pressure(RADIUS, RADIUS, modulus, PRESSURE)?;
         (hertz.half_width_x, hertz.force, 64)
@@ -91,20 +93,27 @@ fn lag(found: &[[f64; 2]]) -> f64 {
 }
 
 pub(crate) fn row(effort: Effort) -> Outcome<Row> {
-    let kinds: &[(bool, &str)] = if effort.is_full() { &[(false, "line"), (true, "ball")] } else { &[(false, "line")] };
+    let kinds: &[(bool, &str)] =
+        if effort.is_full() { &[(false, "line"), (true, "ball")] } else { &[(false, "line")] };
     let (mut numbers, mut lines) = (Vec::new(), Vec::new());
     for (is_ball, name) in kinds {
         let found = period(*is_ball)?;
         // the mean speed is passed at half of the period while it falls, at its end while it rises
         let (falling, rising) = (found[STEPS / 2 - 1][0], found[STEPS - 1][0]);
-        numbers.push(Number::between("lag of the film behind the speed, periods", *name, [0.0, 0.25], lag(&found)));
+        numbers.push(Number::between(
+            "lag of the film behind the speed, periods",
+            *name,
+            [0.0, 0.25],
+            lag(&found),
+        ));
         numbers.push(Number::between("film over the steady one, speed rises", *name, [0.0, 1.0], rising));
         numbers.push(Number::between("film over the steady one, speed falls", *name, [1.0, 2.0], falling));
         let color = if *is_ball { BLUE } else { VERMILION };
-        let points = found.iter().map(|[film, speed]| (*speed, *film)).collect();
+        let points = found.iter().chain(found.first()).map(|[film, speed]| (*speed, *film)).collect();
         lines.push(Line { pen: Pen::strong(color), points });
     }
-    let steady = (0..=20).map(|k| 0.5 + f64::from(k) / 20.0).map(|speed: f64| (speed, speed.powf(0.67))).collect();
+    let steady =
+        (0..=20).map(|k| 0.5 + f64::from(k) / 20.0).map(|speed: f64| (speed, speed.powf(0.67))).collect();
     lines.push(Line { pen: Pen::dashed(BLACK), points: steady });
     let figure = Figure {
         title: "Central film of contacts whose speed rises and falls".to_owned(),
