@@ -218,12 +218,8 @@ fn films_on_nodes_and_of_functions_agree_where_edges_are_faces() {
     let grid = Grid::from_edges(500, 1, [0.0, PocketSlider::LENGTH], [0.0, 1.0]).unwrap();
     let values: Vec<f64> = grid.nodes().map(|(x, _)| slider.film(x)).collect();
     let film = FilmThickness::from_nodes(grid, &values).unwrap();
-    let found = solved(
-        &GivenFilm::new(&film, &oil(ETA, 0.0), [slider.speed, 0.0])
-            .with_ambient_pressure(PocketSlider::AMBIENT)
-            .with_sides(SideEdges::Closed),
-    );
-    assert!((found.load / slider.solve(500).load - 1.0).abs() < 1e-9);
+    let found = solved(&slider.problem(&film, &oil(ETA, 0.0)));
+    assert!((found.load / solved_slider(&slider, 500).load - 1.0).abs() < 1e-9);
 }
 
 #[test]

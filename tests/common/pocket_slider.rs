@@ -26,7 +26,7 @@ pub(crate) struct Exact {
 }
 
 impl PocketSlider {
-    const LENGTH: f64 = 10e-3;
+    pub(crate) const LENGTH: f64 = 10e-3;
     pub(crate) const POCKET: [f64; 2] = [2e-3, 5e-3];
     const AMBIENT: f64 = 1e5;
 
@@ -42,7 +42,7 @@ impl PocketSlider {
         self.inlet + (self.outlet - self.inlet) * x / Self::LENGTH
     }
 
-    fn film(&self, x: f64) -> f64 {
+    pub(crate) fn film(&self, x: f64) -> f64 {
         let in_pocket = x > Self::POCKET[0] && x < Self::POCKET[1];
         self.pad(x) + if in_pocket { self.depth } else { 0.0 }
     }
