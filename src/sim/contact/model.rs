@@ -250,6 +250,10 @@ impl ContactModel {
             // A clone has no buffers.
             *solver = solver.clone();
         }
+        if was_interrupted.load(Ordering::Relaxed) {
+            self.film_flows = film_flows;
+            return Err(SimError::Interrupted);
+        }
         let is_law = solver.id() == SolverId::AsperityInlets;
         let is_measured = (problem.lubricant.is_some() && !is_law) || verifies;
         let mut evaluation =
