@@ -20,7 +20,7 @@ use crate::sim::contact::compliant_films::CompliantFilms;
 use crate::sim::contact::components::{CustomComponents, checked_deformation, lubricant, validated_grid};
 use crate::sim::contact::far_field::{FarField, Inlet};
 use crate::sim::contact::formula::{FormulaFilm, formula_film, stated_film};
-use crate::sim::contact::interrupt::Interruptible;
+use crate::sim::contact::interrupt::{Interrupt, Interruptible};
 use crate::sim::contact::{film_temperature, setup};
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
