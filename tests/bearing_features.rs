@@ -60,8 +60,7 @@ fn feeds_have_the_flows_of_slots_between_them() {
     let feeds = [Feed::new([0.02, 0.03], [0.0, 1.0], 1e6), Feed::new([0.06, 0.07], [0.0, 1.0], 2e5)];
     let solution = GivenFilm::new(&film, &oil, [0.0, 0.0]).with_feeds(&feeds).solve().unwrap();
     let slot = |drop: f64, length: f64| 1e-15 * drop / (12.0 * ETA * length);
-    // From the outermost nodes of the grooves, half a cell inside.
-    let exact = [slot(1e6, 0.0205) + slot(8e5, 0.031), slot(2e5, 0.0205) - slot(8e5, 0.031)];
+    let exact = [slot(1e6, 0.02) + slot(8e5, 0.03), slot(2e5, 0.02) - slot(8e5, 0.03)];
     for (flow, exact) in solution.feed_flows.iter().zip(exact) {
         assert!((flow / exact - 1.0).abs() < 1e-9, "{flow} {exact}");
     }
@@ -87,10 +86,30 @@ fn groove_at_the_widest_gap_without_pressure_changes_nothing() {
     let bearing = JournalBearing::new([0.05, 0.05, 5e-5], 100.0, &oil).with_cells([180, 24]);
     let plain = bearing.solve(0.6).unwrap();
     let angles = [plain.attitude + PI];
-    let grooved = bearing.with_grooves(Some(Grooves::new(&angles, 1e-6, 0.0))).solve(0.6).unwrap();
+    let grooved = bearing.with_grooves(Some(Grooves::new(&angles, [1e-6, 0.05], 0.0))).solve(0.6).unwrap();
     assert!((grooved.load / plain.load - 1.0).abs() < 1e-4, "{} {}", grooved.load, plain.load);
     assert!((grooved.attitude - plain.attitude).abs() < 1e-3);
     assert!((grooved.film.side_flow / plain.film.side_flow - 1.0).abs() < 1e-3);
+}
+
+/// A concentric journal at rest with a groove: all oil leaves through the lands, and more than straight through those beside the groove,
+/// `2 w h^3 p/(12 eta l)`. A groove as long as the bush under pressure is refused.
+#[test]
+fn groove_of_a_journal_leaks_through_its_lands() {
+    let oil = oil();
+    let bearing = JournalBearing::new([0.05, 0.05, 5e-5], 1e-6, &oil).with_cells([180, 24]);
+    let angles = [PI];
+    let flow = |length: f64| {
+        let grooves = Grooves::new(&angles, [0.01, length], 2e5);
+        let solution = bearing.with_grooves(Some(grooves)).solve(0.0).unwrap();
+        assert!((solution.groove_flow / solution.film.side_flow - 1.0).abs() < 1e-6);
+        solution.groove_flow
+    };
+    let straight = 2.0 * 0.01 * 1.25e-13 * 2e5 / (12.0 * ETA * 0.005);
+    let [short, long] = [flow(0.03), flow(0.04)];
+    assert!(long > 1.5 * straight && long < 4.0 * straight && short < long, "{short} {long} {straight}");
+    let whole = bearing.with_grooves(Some(Grooves::new(&angles, [0.01, 0.05], 2e5))).solve(0.0);
+    assert!(whole.unwrap_err().to_string().contains("groove_length = 0.05"));
 }
 
 /// The groove supplies all that leaves through the sides; the numbers are those of a mesh of four times the nodes.
@@ -98,7 +117,7 @@ fn groove_at_the_widest_gap_without_pressure_changes_nothing() {
 fn grooved_journal_converges_and_its_groove_feeds_both_sides() {
     let oil = oil();
     let angles = [PI, 0.5 * PI];
-    let grooves = Grooves::new(&angles, 0.01, 2e5);
+    let grooves = Grooves::new(&angles, [0.01, 0.04], 2e5);
     let solve = |cells| {
         let bearing = JournalBearing::new([0.05, 0.05, 5e-5], 100.0, &oil).with_cells(cells);
         bearing.with_grooves(Some(grooves)).solve(0.6).unwrap()
@@ -109,9 +128,8 @@ fn grooved_journal_converges_and_its_groove_feeds_both_sides() {
         assert!((solution.groove_flow / solution.film.side_flow - 1.0).abs() < 1e-6);
     }
     assert!((coarse.load / fine.load - 1.0).abs() < 0.03, "{} {}", coarse.load, fine.load);
-    // The pressure jumps at the corners of groove and side: their flow grows with the logarithm of the cells.
     assert!(
-        coarse.groove_flow < fine.groove_flow && coarse.groove_flow > 0.88 * fine.groove_flow,
+        (coarse.groove_flow / fine.groove_flow - 1.0).abs() < 0.02,
         "{} {}",
         coarse.groove_flow,
         fine.groove_flow
@@ -128,7 +146,7 @@ fn grooved_journal_converges_and_its_groove_feeds_both_sides() {
         (vec![0.0], 0.4, 0.0, "apart"),
         (vec![0.0], 0.01, -1.0, "supply_pressure = -1"),
     ] {
-        let grooves = Grooves::new(&angles, width, pressure);
+        let grooves = Grooves::new(&angles, [width, 0.04], pressure);
         let error = bearing.with_grooves(Some(grooves)).solve(0.5).unwrap_err().to_string();
         assert!(error.contains(part), "{error}");
     }

@@ -5,7 +5,8 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use stribeck::Status;
-use stribeck::sim::{ContactSolution, MixedLubricationSim, RigidBearing, Scene, StepRecord};
+use stribeck::sim::scene::GridSpec;
+use stribeck::sim::{ContactSolution, CyclePoint, MixedLubricationSim, RigidBearing, Scene, StepRecord};
 
 /// Effective modulus of steel on steel, `E/(1 - v^2)` \[Pa\], viscosity \[Pa s\] and pressure-viscosity coefficient \[1/Pa\] of the scenes.
 const MODULUS: f64 = 206e9 / 0.91;
@@ -162,4 +163,67 @@ fn journal_has_the_friction_of_petroff_and_of_its_load() {
     let by_load = numbers.load * clearance / radius * eccentricity * numbers.attitude.unwrap().sin();
     close("difference of both", numbers.friction_moving - numbers.friction_resting, by_load, 0.02);
     close("power", numbers.power_loss, numbers.friction_moving * speed, 1e-9);
+}
+
+/// A flat follower: radius of curvature `r + s + s''`, speeds `w (r + s + s'')` and `w s''`. At the base circle and at the nose the film is
+/// that of Dowson and Toyoda.
+#[test]
+fn cam_has_the_films_of_dowson_and_toyoda() {
+    let scene = Scene::load(path("cam.toml")).unwrap();
+    let points = MixedLubricationSim::builder(scene).solve_cycle(&mut |_| true).unwrap().points;
+    let rate = 1000.0 * PI / 30.0;
+    for (angle, lift, second, load) in
+        [(0.0, 0.0, 0.0, 250.0), (180.0, 8e-3, -48e-3 / 75_f64.to_radians().powi(2), 250.0 + 30e3 * 8e-3)]
+    {
+        let near = |a: f64, b: f64| (a - angle).abs().total_cmp(&(b - angle).abs());
+        let at = |point: &CyclePoint| point.angle.unwrap().to_degrees();
+        let point = points.iter().min_by(|a, b| near(at(a), at(b))).unwrap();
+        let name = |what: &str| format!("{what} at {angle} deg");
+        let radius: f64 = 26e-3 + lift + second;
+        let load = (load + 0.12 * rate * rate * second) / 12e-3;
+        close(&name("radius"), point.radius, radius, 0.04);
+        close(&name("load"), point.load, load, 0.01);
+        let (radius, speeds) = (point.radius, [point.ball_speed, point.disc_speed]);
+        close(&name("sliding"), speeds[0] - speeds[1], rate * (26e-3 + lift), 1e-6);
+        // The oil of `stribeck init`.
+        let (eta, modulus, mean) = (0.01, 210e9 / 0.91, 0.5 * (speeds[0] + speeds[1]).abs());
+        let (u, w) = (eta * mean / (modulus * radius), point.load / (modulus * radius));
+        let film = 3.06 * radius * u.powf(0.69) * (ALPHA * modulus).powf(0.56) * w.powf(-0.10);
+        let density = |p: f64| 1.0 + 0.6e-9 * p / (1.0 + 1.7e-9 * p);
+        close(&name("film"), density(point.hertz_pressure) * point.film_central, film, 0.1);
+        let friction = point.friction_coefficient * point.load;
+        close(&name("power"), point.friction_power, friction * (speeds[0] - speeds[1]), 1e-9);
+    }
+}
+
+/// O'Sullivan and King (1988): a coating of a tenth of the radius, twice as stiff as the plate, raises the pressure by the factor 1.475.
+#[test]
+fn coated_plate_has_the_pressure_of_o_sullivan_and_king() {
+    let solution = solved("coated.toml");
+    close("pressure", solution.pressure.max, 1.475 * 146.912e6, 0.02);
+    close(
+        "bare contact",
+        solution.hertz.half_width_x,
+        hertz_radius(1e-3, solution.hertz.force, 4.6153846e9),
+        1e-6,
+    );
+}
+
+/// The smooth flanks of the gear scene have the film of Dowson and Toyoda.
+#[test]
+fn gear_flanks_have_the_film_of_dowson_and_toyoda() {
+    let mut scene = Scene::load(path("gear.toml")).unwrap();
+    scene.roughness = Default::default();
+    scene.motion.roughness = Default::default();
+    scene.grid = GridSpec::Row { nx: 272, x: [-0.5e-3, 0.35e-3] };
+    let solution = MixedLubricationSim::builder(scene).solve().unwrap();
+    assert_eq!(solution.report.status, Status::Converged);
+    let (radius, modulus) = (10e-3, 230e9);
+    let load = PI * radius * 1.2e9 * 1.2e9 / modulus * 2.0;
+    close("load", solution.hertz.force, load, 1e-6);
+    let (u, g, w) = (0.01 * 3.0 / (modulus * radius), 15e-9 * modulus, load / (modulus * radius));
+    let film = 3.06 * radius * u.powf(0.69) * g.powf(0.56) * w.powf(-0.10);
+    let pressure = solution.pressure.central;
+    let density = 1.0 + 0.6e-9 * pressure / (1.0 + 1.7e-9 * pressure);
+    close("film", density * solution.film.central, film, 0.1);
 }

@@ -22,6 +22,7 @@ mod data_sheets;
 mod dry;
 mod elastic;
 mod elements;
+mod engineering_outputs;
 mod ensemble;
 mod exact_laws;
 mod film_regimes;

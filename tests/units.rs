@@ -84,6 +84,7 @@ fn every_unit_that_is_offered_is_taken() {
         Viscosity,
         Time,
         Rate,
+        Rotation,
         Temperature,
         Conductivity,
         Diffusivity,

@@ -217,20 +217,23 @@ fn worn_volumes_of_a_history_are_the_last_ones_in_cubic_millimetres() {
     let line = text.lines().find(|line| line.starts_with("wear.ball_volume")).unwrap();
     let words: Vec<&str> = line.split_whitespace().collect();
     // After the first and the last step.
-    close(words[1].parse().unwrap(), 1e9 * archard(5.0, 0.2), 1e-5);
-    close(words[2].parse().unwrap(), 1e9 * archard(5.0, 0.2 * 20.0), 1e-5);
+    close(words[1].parse().unwrap(), 1e9 * archard(5.0, 0.2), 1e-4);
+    close(words[2].parse().unwrap(), 1e9 * archard(5.0, 0.2 * 20.0), 1e-4);
+    assert_eq!(words[3], "mm^3");
+    let line = text.lines().find(|line| line.starts_with("wear.ball_specific_rate")).unwrap();
+    let words: Vec<&str> = line.split_whitespace().collect();
     // K/H = 1.67e-17 m^3/(N m)
-    close(words[4].parse().unwrap(), 1e9 * COEFFICIENT / HARDNESS, 1e-5);
-    assert_eq!((words[3], words[5], words[6]), ("mm^3,", "mm^3/(N", "m)"));
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("pressure.max_Pa") || line.starts_with("pressure.max "))
-        .unwrap();
-    let numbers: Vec<f64> =
-        line.split_whitespace().skip(1).take(3).map(|word| word.parse().unwrap()).collect();
-    close(numbers[0], records[0].pressure.max, 1e-6);
-    close(numbers[1], records[19].pressure.max, 1e-6);
-    close(numbers[2], 0.5 * (records[18].pressure.max + records[19].pressure.max), 1e-6);
+    close(words[1].parse().unwrap(), 1e9 * COEFFICIENT / HARDNESS, 1e-4);
+    assert_eq!(words[2..], ["mm^3/(N", "m)"]);
+    let line = text.lines().find(|line| line.starts_with("pressure.max ")).unwrap();
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let numbers: Vec<f64> = words[1..4].iter().map(|word| 1e9 * word.parse::<f64>().unwrap()).collect();
+    assert_eq!(words[4], "GPa");
+    close(numbers[0], records[0].pressure.max, 1e-4);
+    close(numbers[1], records[19].pressure.max, 1e-4);
+    close(numbers[2], 0.5 * (records[18].pressure.max + records[19].pressure.max), 1e-4);
+    // The gap of a dry contact is rounding.
+    assert!(!text.contains("film.") && text.contains("wear.disc_scar_width"), "{text}");
 }
 
 #[test]

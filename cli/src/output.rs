@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use indicatif::ProgressBar;
-use stribeck::sim::{CheckpointError, Scene, SimError, Warning};
+use stribeck::sim::{CheckpointError, OilNumbers, Scene, SimError, Warning};
 use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
 
@@ -292,4 +292,13 @@ pub(crate) fn require(
     } else {
         Err(InputError::Value { field: field.to_owned(), value, requirement })
     }
+}
+
+/// The viscosity ratio of a bearing in a line; `None` without a bearing.
+pub(crate) fn kappa(oil: &OilNumbers) -> Option<String> {
+    let (kappa, viscosity) = (oil.kappa?, 1e6 * oil.kinematic_viscosity);
+    Some(format!(
+        "kappa      {kappa:.3}: {viscosity:.2} mm^2/s over {:.2} mm^2/s by ISO 281",
+        viscosity / kappa
+    ))
 }

@@ -58,6 +58,8 @@ fn bearings_have_their_inner_geometry_and_source() {
         .unwrap();
     let expected = 0.25 * 39.04e-3 * 50.0 * PI * (1.0 - (7.94_f64 / 39.04).powi(2));
     assert!((speed / expected - 1.0).abs() < 1e-5, "{speed}");
+    // ISO 281 with the viscosity of ISO VG 68 at 60 degC: 28.4 mm^2/s over 18.60 mm^2/s.
+    close(&ball["oil"]["kappa"], 28.4 / 18.60, 0.02);
     let (_, roller) = solved(&["--bearing", "nu 209"]);
     close(&roller["hertz"]["force"], 5.0 * 1000.0 / 14.0 / 9.6e-3, 1e-5);
     let folder = tempfile::tempdir().unwrap();
@@ -148,4 +150,20 @@ fn curve_of_a_rough_journal_has_the_share_of_solids() {
     assert!(report.contains("% of the load on solids"), "{report}");
     let flat = repository("examples/scenes/flat.toml");
     assert_refused(&["curve", text(&flat), "--out", out], &["flat", "stribeck solve", "load.mean_pressure"]);
+}
+
+#[test]
+fn options_that_an_element_leaves_out_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    for (arguments, option) in [
+        (&["--roller", "--finish", "ground"][..], "--finish"),
+        (&["--bearing", "6205", "--speed", "2 m/s"], "--speed"),
+        (&["--journal", "--radius", "10 mm"], "--radius"),
+        (&["--rig", "pin-on-disc", "--grade", "ISO VG 46"], "--grade"),
+        (&["--rig", "four-ball", "--slide-roll-ratio", "1"], "--slide-roll-ratio"),
+    ] {
+        assert_refused(&[&["init", text(&path)], arguments].concat(), &[option, "no effect", arguments[0]]);
+    }
+    assert!(!path.exists());
 }

@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::PathBuf;
 use std::process::Output;
 
-use common::{assert_refused, json_of, rough, stribeck, text};
+use common::{assert_refused, error_of, json_of, repository, rough, stribeck, text};
 use serde_json::Value;
 use stribeck::surface::write_npy;
 
@@ -88,7 +88,7 @@ fn json_fields_are_documented() {
         .map(|name| name.trim().trim_matches('`').to_owned())
         .collect();
     // Null in this scene.
-    for table in ["moes", "oil", "flow", "stress", "thermal", "error_estimate"] {
+    for table in ["moes", "oil", "flow", "stress", "thermal", "starvation", "error_estimate"] {
         expected.retain(|name| !name.starts_with(&format!("{table}.")));
         expected.push(table.to_owned());
     }
@@ -132,8 +132,7 @@ fn report_is_short_text() {
     assert!(output.status.success(), "{output:?}");
     let text = String::from_utf8(output.stdout).unwrap();
     let of_what: Vec<_> = text.lines().filter_map(|line| line.split_whitespace().next()).collect();
-    let said =
-        "converged residuals work Hertz film pressure contact roughness friction flow approach errors time";
+    let said = "converged residuals work Hertz pressure contact roughness friction flow approach errors time";
     assert_eq!(of_what.join(" "), said, "{text}");
 }
 
@@ -302,15 +301,18 @@ fn numbers_in(json: &Value, found: &mut Vec<f64>) {
     }
 }
 
-#[test]
-fn json_of_a_solve_has_every_printed_number() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = rough(folder.path(), &[]);
-    let output = stribeck(&["solve", text(&scene)]);
+/// Compares the printed numbers of a command, but for the lines that begin with one of the words `without`, with its JSON. Angles are
+/// printed in degrees.
+fn assert_printed_numbers_are_in_the_json(arguments: &[&str], without: &[&str]) {
+    let output = stribeck(arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", error_of(&output));
     let printed = String::from_utf8(output.stdout).unwrap();
     let mut exact = Vec::new();
-    numbers_in(&json_of(&stribeck(&["solve", text(&scene), "--json"])), &mut exact);
-    let lines = printed.lines().filter(|line| !line.starts_with("time"));
+    numbers_in(&json_of(&stribeck(&[arguments, &["--json"]].concat())), &mut exact);
+    let degrees: Vec<f64> = exact.iter().map(|value| value.to_degrees()).collect();
+    exact.extend(degrees);
+    let is_compared = |line: &&str| without.iter().all(|word| !line.trim_start().starts_with(word));
+    let lines = printed.lines().filter(is_compared);
     for word in lines.flat_map(|line| printed_numbers(line.trim_end_matches("um^2 plastic"))) {
         let mantissa = word.split('e').next().unwrap();
         let shown: f64 = word.parse().unwrap();
@@ -321,5 +323,47 @@ fn json_of_a_solve_has_every_printed_number() {
         let is_found =
             |value: &f64| (-12..=18).any(|power| (value.abs() * 10_f64.powi(power) - shown).abs() <= half);
         assert!(exact.iter().any(is_found), "{word} is not in the JSON:\n{printed}");
+    }
+}
+
+#[test]
+fn json_has_every_printed_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = rough(folder.path(), &[]);
+    // Twice the same work takes other times.
+    assert_printed_numbers_are_in_the_json(&["solve", text(&scene)], &["time"]);
+    let out = folder.path().join("out");
+    let curve = ["curve", text(&scene), "--points", "2", "--out", text(&out), "--force"];
+    assert_printed_numbers_are_in_the_json(&curve, &["wrote", "speed"]);
+    let dry = repository("examples/scenes/dry_wear.toml");
+    let run = ["run", text(&dry), "--duration", "20", "--time-step", "10"];
+    // Units with a digit, which is no number: the lines are compared by name below.
+    let units = [
+        "contact.area",
+        "contact.corrected_area ",
+        "wear.ball_vol",
+        "wear.disc_vol",
+        "wear.ball_spec",
+        "wear.disc_spec",
+    ];
+    assert_printed_numbers_are_in_the_json(&run, &units);
+    let cam = repository("examples/scenes/cam.toml");
+    let cycle = ["cycle", text(&cam), "--out", text(&out), "--force"];
+    // The number of contacts is that of the points.
+    assert_printed_numbers_are_in_the_json(&cycle, &["cycle", "time"]);
+}
+
+/// The lines of a run whose units have digits.
+#[test]
+fn json_of_a_run_has_its_wear_rates() {
+    let dry = repository("examples/scenes/dry_wear.toml");
+    let run = ["run", text(&dry), "--duration", "20", "--time-step", "10"];
+    let printed = String::from_utf8(stribeck(&run).stdout).unwrap();
+    let json = json_of(&stribeck(&[&run[..], &["--json"]].concat()));
+    for (name, column) in [("ball_specific_rate", 1), ("disc_specific_rate", 1), ("ball_volume", 2)] {
+        let start = format!("wear.{name}");
+        let line = printed.lines().find(|line| line.starts_with(&start)).unwrap();
+        let shown: f64 = line.split_whitespace().nth(column).unwrap().parse().unwrap();
+        close(shown, 1e9 * number(&json, &format!("/wear/{name}")), 1e-4);
     }
 }

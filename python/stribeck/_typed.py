@@ -57,6 +57,7 @@ class Film(Numbers):
     minimum_lambda: float | None
     formula_ratio: float | None
     formula_lambda: float | None
+    fluid_fraction: float | None
 
 
 class Pressure(Numbers):
@@ -110,6 +111,14 @@ class Flow(Numbers):
     imbalance: float
 
 
+class Starvation(Numbers):
+    """Film of a starved contact beside that of a flooded one."""
+
+    __slots__ = ()
+    flooded_film: float
+    film_ratio: float
+
+
 class Errors(Numbers):
     """Estimated errors."""
 
@@ -133,7 +142,7 @@ class Motion(Numbers):
 
 
 class Wear(Numbers):
-    """Worn depths and volumes."""
+    """Worn depths, volumes and scars."""
 
     __slots__ = ()
     ball_mean: float
@@ -144,6 +153,10 @@ class Wear(Numbers):
     disc_in_contact: float
     ball_volume: float
     disc_volume: float
+    ball_scar_width: float | None
+    disc_scar_width: float | None
+    ball_scar_depth: float
+    disc_scar_depth: float
 
 
 class Tribofilm(Numbers):
@@ -235,6 +248,8 @@ class SolvedContact(Solved):
     approach: float
     stress: Stress | None
     thermal: Thermal | None
+    flash_rise: float | None
+    starvation: Starvation | None
     error_estimate: Errors | None
     strategy: str | None
     model: str | None
@@ -266,6 +281,8 @@ class Oil(Numbers):
     alpha_source: str
     alpha_uncertainty: float
     film_uncertainty: float
+    kinematic_viscosity: float
+    kappa: float | None
 
 
 class FilmMap(Numbers):

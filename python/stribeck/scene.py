@@ -120,6 +120,7 @@ class Scene:
     schedule: _tables.Schedule
     cycle: _tables.Cycle
     stress: _tables.Stress
+    bearing: _tables.Bearing
     solver: _tables.Solver
 
     def __init__(

@@ -29,9 +29,9 @@ const DAMPING: f64 = 0.8;
 /// Most positions of the grooves at one eccentricity.
 const MOST_POSITIONS: usize = 20;
 
-/// Axial grooves in the bush, over the whole width and closed at both sides.
+/// Axial grooves in the middle of the width of the bush.
 ///
-/// The film begins and ends full, with the pressure of the groove; the groove itself has no friction. The first angle of the list
+/// In the lands between a groove and the sides its pressure falls linearly to that of the sides. The film begins and ends full, with the pressure of the groove; the groove itself has no friction. The first angle of the list
 /// is where the film begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -40,14 +40,17 @@ pub struct Grooves<'a> {
     pub angles: &'a [f64],
     /// Width along the circumference \[m\].
     pub width: f64,
+    /// Length along the axis \[m\], less than the width of the bearing under a pressure: the flow from a corner of groove
+    /// and side is infinite.
+    pub length: f64,
     /// Pressure above ambient \[Pa\].
     pub pressure: f64,
 }
 
 impl<'a> Grooves<'a> {
-    /// Grooves of the `width` \[m\] and the `pressure` \[Pa\] above ambient at `angles` from the load \[rad\].
-    pub const fn new(angles: &'a [f64], width: f64, pressure: f64) -> Self {
-        Self { angles, width, pressure }
+    /// Grooves of the `[width, length]` \[m\] and the `pressure` \[Pa\] above ambient at `angles` from the load \[rad\].
+    pub const fn new(angles: &'a [f64], [width, length]: [f64; 2], pressure: f64) -> Self {
+        Self { angles, width, length, pressure }
     }
 }
 
@@ -258,26 +261,38 @@ impl JournalBearing<'_> {
             grooves.angles.iter().map(|angle| self.radius * (PI + turn * (angle - attitude))).collect()
         });
         let (width, pressure) = self.grooves.map_or((0.0, 0.0), |grooves| (grooves.width, grooves.pressure));
+        let land = self.grooves.map_or(0.0, |grooves| 0.5 * (self.width - grooves.length));
+        let along = [land, self.width - land];
         let start = middles.first().map_or(0.0, |middle| middle + 0.5 * width);
         let feeds: Vec<Feed> = middles
             .iter()
             .skip(1)
             .map(|middle| start + (middle - start).rem_euclid(circumference))
-            .map(|middle| Feed::new([middle - 0.5 * width, middle + 0.5 * width], sides, pressure))
+            .map(|middle| Feed::new([middle - 0.5 * width, middle + 0.5 * width], along, pressure))
             .collect();
         let ends = [start, start + circumference - width];
         let grid = Grid::from_edges(self.cells[0], self.cells[1], ends, sides)?;
         let gap = |x: f64| self.clearance * (1.0 + eccentricity * (x / self.radius).cos());
         let film = FilmThickness::from_function(grid, |x, _| gap(x))?;
         let speed = self.angular_speed * self.radius;
-        let solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0])
+        let mut solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0])
             .with_edge_pressures([pressure, pressure, 0.0, 0.0])
+            .with_lands(land)
             .with_feeds(&feeds)
             .with_roughness(self.roughness)
             .solve_unless(interrupted)?;
         // The film pushes the journal inwards, against the direction of the angle.
         let groove = middles.first().map_or(0.0, |middle| middle / self.radius);
-        let in_groove = 2.0 * pressure * self.radius * self.width * (0.5 * width / self.radius).sin();
+        // Over the length of the first groove, and half of its pressure over both lands beside it.
+        let length = self.width - land;
+        let in_groove = 2.0 * pressure * self.radius * length * (0.5 * width / self.radius).sin();
+        // Through both lands beside the first groove, `w h^3 p/(12 eta l)`.
+        let viscosity = self.lubricant.viscosity().viscosity(0.0);
+        let through_land = match middles.first() {
+            Some(&middle) if land > 0.0 => width * gap(middle).powi(3) * pressure / (12.0 * viscosity * land),
+            _ => 0.0,
+        };
+        solution.add_side_flow(through_land);
         let [cosine, sine] = self.moments(&solution, &solution.pressure);
         let contact = solution.contact.as_ref();
         let contact = contact.map_or([0.0; 2], |contact| self.moments(&solution, &contact.pressure));
@@ -285,7 +300,6 @@ impl JournalBearing<'_> {
             [-cosine - contact[0] - in_groove * groove.cos(), -sine - contact[1] - in_groove * groove.sin()];
         let load = force[0].hypot(force[1]);
         let psi = self.clearance / self.radius;
-        let viscosity = self.lubricant.viscosity().viscosity(0.0);
         let area = 2.0 * self.width * self.radius;
         Ok(JournalSolution {
             eccentricity,
@@ -300,7 +314,8 @@ impl JournalBearing<'_> {
             sommerfeld: load * psi * psi / (area * viscosity * self.angular_speed.abs()),
             least_film: self.clearance * (1.0 - eccentricity),
             groove_flow: if self.grooves.is_some() {
-                solution.feed_flows.iter().sum::<f64>() - solution.edge_flows[0] - solution.edge_flows[1]
+                let into_film: f64 = solution.feed_flows.iter().sum();
+                into_film - solution.edge_flows[0] - solution.edge_flows[1] + 2.0 * through_land
             } else {
                 0.0
             },
@@ -323,6 +338,15 @@ impl JournalBearing<'_> {
     /// Error for grooves that are out of range or overlap.
     fn validate_grooves(&self, grooves: Grooves<'_>) -> Result<(), InputError> {
         InputError::require_positive("groove_width", grooves.width)?;
+        InputError::require_positive("groove_length", grooves.length)?;
+        let fits =
+            if grooves.pressure > 0.0 { grooves.length < self.width } else { grooves.length <= self.width };
+        InputError::require(
+            fits,
+            "groove_length",
+            grooves.length,
+            "below the width of the bearing; without supply_pressure at most that width",
+        )?;
         InputError::require(
             grooves.pressure.is_finite() && grooves.pressure >= 0.0,
             "supply_pressure",

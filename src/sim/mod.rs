@@ -49,7 +49,7 @@ pub use contact::far_field::FloodedInlet;
 pub use contact::formula::FormulaFilm;
 pub use contact::numbers::{
     ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, Moes, PlasticNumbers, PressureNumbers,
-    RoughnessNumbers, StressNumbers, ThermalNumbers, WearNumbers,
+    RoughnessNumbers, StarvationNumbers, StressNumbers, ThermalNumbers, WearNumbers,
 };
 pub use contact::oil_numbers::OilNumbers;
 pub use contact::solution::ContactSolution;

@@ -175,6 +175,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
             track: TrackSpec::default(),
             thermal,
             stress: None,
+            bearing: None,
             solver,
         }
     })

@@ -37,6 +37,8 @@ pub enum Dimension {
     Time,
     /// In 1/s.
     Rate,
+    /// In rad/s: rates of rotation.
+    Rotation,
     /// In K.
     Temperature,
     /// In W/(m K).
@@ -73,6 +75,7 @@ impl Dimension {
             Self::Density => "density",
             Self::Time => "time",
             Self::Rate => "one over time",
+            Self::Rotation => "rate of rotation",
             Self::Temperature => "temperature",
             Self::Conductivity => "thermal conductivity",
             Self::Diffusivity => "diffusivity",

@@ -94,6 +94,9 @@ const RATE: Units = &[
     (&["1/min", "min^-1"], Times(1.0 / 60.0)),
     (&["1/h", "h^-1"], Times(1.0 / 3600.0)),
 ];
+/// Rates of rotation.
+const ROTATION: Units =
+    &[(&["rad/s"], Ten(0)), (&["rpm", "1/min", "r/min", "rev/min"], Times(std::f64::consts::TAU / 60.0))];
 /// Absolute temperatures; give temperature differences in kelvin.
 const TEMPERATURE: Units = &[(&["K"], Ten(0)), (&["degC", "deg C", "C", "Celsius"], Plus(273.15))];
 /// Thermal conductivities.
@@ -135,6 +138,7 @@ impl Dimension {
             Self::Density => DENSITY,
             Self::Time => TIME,
             Self::Rate => RATE,
+            Self::Rotation => ROTATION,
             Self::Temperature => TEMPERATURE,
             Self::Conductivity => CONDUCTIVITY,
             Self::Diffusivity => DIFFUSIVITY,

@@ -1,5 +1,7 @@
 //! Maps and profile of a solved contact.
 
+use std::borrow::Cow;
+
 use stribeck::Grid;
 use stribeck::reynolds::ContactState;
 use stribeck::sim::HertzContact;
@@ -20,7 +22,7 @@ pub(crate) struct Seen<'a> {
 /// Film, pressure, content of the gap and tribofilm from above.
 pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
     let state = seen.state;
-    let map = |title: &str, values: &'a [f64], factor, highest: f64, outline| Map {
+    let map = |title: &str, values: Cow<'a, [f64]>, factor, highest: f64, outline| Map {
         title: title.to_owned(),
         values,
         factor,
@@ -33,19 +35,22 @@ pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
     let largest_pressure = extremes(state.pressure.iter().copied()).1;
     let pressure_scale = round_up(1e-9 * largest_pressure);
     let mut maps = vec![
-        map(&film_name, &state.film, 1e9, most, true),
-        map("pressure (GPa)", &state.pressure, 1e-9, pressure_scale, true),
+        map(&film_name, (&state.film).into(), 1e9, most, true),
+        map("pressure (GPa)", (&state.pressure).into(), 1e-9, pressure_scale, true),
     ];
     if seen.lubricated {
         if state.pressure.iter().zip(&state.fluid_pressure).any(|(all, fluid)| all > fluid) {
-            maps.push(map("pressure of the fluid (GPa)", &state.fluid_pressure, 1e-9, pressure_scale, true));
+            let solid = (0..state.pressure.len()).map(|k| state.solid_pressure(k)).collect::<Vec<_>>();
+            let fluid = (&state.fluid_pressure).into();
+            maps.push(map("pressure of the fluid (GPa)", fluid, 1e-9, pressure_scale, true));
+            maps.push(map("pressure of the solids (GPa)", solid.into(), 1e-9, pressure_scale, true));
         }
-        maps.push(map("content of the gap, theta", &state.theta, 1.0, 1.0, true));
+        maps.push(map("content of the gap, theta", (&state.theta).into(), 1.0, 1.0, true));
     }
     if let Some(film) = seen.tribofilm {
         let thickest = extremes(film.iter().copied()).1;
         // The patch of the disc, wherever that stands in the contact.
-        maps.push(map("tribofilm on the disc (nm)", film, 1e9, round_up(1e9 * thickest), false));
+        maps.push(map("tribofilm on the disc (nm)", film.into(), 1e9, round_up(1e9 * thickest), false));
     }
     Maps { title: seen.title.clone(), grid: seen.grid, hertz: seen.hertz, maps }
 }
@@ -87,7 +92,7 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
         panels.push(Panel::new("theta", vec![line("", GREEN, &state.theta, 1.0)]));
     }
     let title = format!("{}: profile at y = {:.1} µm", seen.title, 1e6 * grid.y(row));
-    Chart { title, x_label: "x (µm)", x_scale: Scale::Linear, panels }
+    Chart { title, x_label: "x (µm)", x_scale: Scale::Linear, panels, upper: None }
 }
 
 /// Hertz's pressure of the smooth dry contact in the nodes of a row.

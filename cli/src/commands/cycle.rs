@@ -72,6 +72,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         "quasi_static": solution.quasi_static,
         "largest_step": solution.largest_step,
         "closure": solution.closure,
+        "mean_friction_power": mean_power(&solution.points),
         "largest_squeeze_ratio": largest_squeeze(&solution).map(|point| point.squeeze_ratio),
         "warnings": solution.warnings,
         "ended_early": solution.ended_early,
@@ -124,6 +125,11 @@ fn squeeze_warning(solution: &CycleSolution) -> Option<String> {
     })
 }
 
+/// Mean power of friction over the contacts \[W\].
+fn mean_power(points: &[CyclePoint]) -> f64 {
+    points.iter().map(|point| point.friction_power).sum::<f64>() / points.len().max(1) as f64
+}
+
 /// Angle or time of a contact in words.
 fn place(point: &CyclePoint) -> String {
     match point.angle {
@@ -158,7 +164,7 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
             place(point)
         ));
     }
-    let mean = points.iter().map(|point| point.friction_power).sum::<f64>() / points.len().max(1) as f64;
+    let mean = mean_power(points);
     if let Some(point) = extreme(|p| p.friction_power, 1.0) {
         let power = point.friction_power;
         lines.push(format!(
@@ -176,9 +182,10 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
         lines.push(format!("squeeze    {ratio:.3} of the entrainment at {}", place(point)));
     }
     lines.push(format!(
-        "\n{:>12} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}",
+        "\n{:>12} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}",
         if points.iter().any(|point| point.angle.is_some()) { "angle, deg" } else { "time, s" },
-        "u, m/s",
+        "ball, m/s",
+        "disc, m/s",
         "load",
         "h, nm",
         "h min, nm",
@@ -195,11 +202,12 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
 /// A contact in a line.
 fn row(point: &CyclePoint) -> String {
     format!(
-        "{:>12} {:>9.3} {:>10.3e} {:>9.1} {:>9.1} {:>9.3} {:>9.4} {:>9.4} {:>7.1}",
+        "{:>12} {:>9.3} {:>9.3} {:>10.3e} {:>9.1} {:>9.1} {:>9.3} {:>9.4} {:>9.4} {:>7.1}",
         point
             .angle
             .map_or_else(|| format!("{:.4e}", point.time), |angle| format!("{:.2}", angle.to_degrees())),
-        0.5 * (point.ball_speed + point.disc_speed),
+        point.ball_speed,
+        point.disc_speed,
         point.load,
         1e9 * point.film_central,
         1e9 * point.film_minimum,
@@ -247,6 +255,7 @@ fn chart(name: &str, solution: &CycleSolution) -> Chart {
         title: format!("Cycle of {name}"),
         x_label: if has_angles { "angle (deg)" } else { "time (ms)" },
         x_scale: Scale::Linear,
+        upper: None,
         panels,
     }
 }

@@ -112,15 +112,17 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if options.output.json {
         output::print(&numbers)?;
     } else {
-        let scatter = oil.as_ref().filter(|oil| oil.film_uncertainty > 0.0).map_or_else(String::new, |oil| {
-            format!(
-                "\nby alpha   +- {:.0} % of the film: {}, +- {:.0} %",
-                100.0 * oil.film_uncertainty,
-                oil.alpha_source,
-                100.0 * oil.alpha_uncertainty
-            )
-        });
-        output::print(&format!("{solution}{scatter}\ntime       {seconds:.2} s"))?;
+        let scatter =
+            oil.as_ref().filter(|oil| oil.film_uncertainty >= 0.005).map_or_else(String::new, |oil| {
+                format!(
+                    "\nby alpha   +- {:.0} % of the film: {}, +- {:.0} %",
+                    100.0 * oil.film_uncertainty,
+                    oil.alpha_source,
+                    100.0 * oil.alpha_uncertainty
+                )
+            });
+        let kappa = oil.as_ref().and_then(output::kappa).map_or_else(String::new, |line| format!("\n{line}"));
+        output::print(&format!("{solution}{scatter}{kappa}\ntime       {seconds:.2} s"))?;
     }
     output::report_files(&written, options.output.json)?;
     Ok(solution.report.status.into())
@@ -203,7 +205,11 @@ fn write_report(
     let (status, seen) = (solution.report.status, seen(options, solution));
     let mut report = Report::new(&options.scene, "one contact", status)?;
     report.warn(solution.warnings.iter().map(ToString::to_string));
-    report.table(&report::contact(numbers, solution.moes.is_some()));
+    report.table(&report::contact(
+        numbers,
+        solution.moes.is_some(),
+        solution.grid.ny() == 1 || solution.grid.is_strip(),
+    ));
     report.chart(&profile(&seen))?;
     if solution.grid.ny() > 1 {
         let maps = maps(&seen);

@@ -15,6 +15,8 @@ const HEAD: i32 = 40;
 const PANEL: i32 = 190;
 const FOOT: i32 = 56;
 const LEFT: u32 = 84;
+/// Height of a second x axis.
+const UPPER: i32 = 20;
 /// Points of a line of fewer are dots too.
 const FEW: usize = 40;
 
@@ -75,12 +77,21 @@ pub(crate) struct Chart {
     pub(crate) title: String,
     pub(crate) x_label: &'static str,
     pub(crate) x_scale: Scale,
+    /// A second x axis above the panels.
+    pub(crate) upper: Option<UpperAxis>,
     pub(crate) panels: Vec<Panel>,
+}
+
+/// A second x axis.
+pub(crate) struct UpperAxis {
+    pub(crate) label: &'static str,
+    /// Places on the first x axis and their labels.
+    pub(crate) ticks: Vec<(f64, String)>,
 }
 
 impl Picture for Chart {
     fn size(&self) -> (u32, u32) {
-        (WIDTH, (HEAD + PANEL * self.panels.len() as i32 + FOOT) as u32)
+        (WIDTH, (HEAD + self.upper_height() + PANEL * self.panels.len() as i32 + FOOT) as u32)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
@@ -91,10 +102,10 @@ impl Picture for Chart {
         let title = text(TITLE_SIZE).pos(Pos::new(HPos::Center, VPos::Center));
         head.draw(&Text::new(self.title.as_str(), (WIDTH as i32 / 2, HEAD / 2), title))?;
         let x = self.x_range();
-        let ends: Vec<i32> = (1..self.panels.len() as i32).map(|k| k * PANEL).collect();
+        let ends: Vec<i32> = (1..self.panels.len() as i32).map(|k| self.upper_height() + k * PANEL).collect();
         let areas = body.split_by_breakpoints([] as [i32; 0], ends);
         for (k, (area, panel)) in areas.iter().zip(&self.panels).enumerate() {
-            self.draw_panel(area, panel, x.clone(), k + 1 == self.panels.len())?;
+            self.draw_panel(area, panel, x.clone(), [k == 0, k + 1 == self.panels.len()])?;
         }
         Ok(())
     }
@@ -112,13 +123,18 @@ impl Scale {
 }
 
 impl Chart {
-    /// The lowest panel names the x axis of all.
+    /// Height of the second x axis.
+    fn upper_height(&self) -> i32 {
+        if self.upper.is_some() { UPPER } else { 0 }
+    }
+
+    /// The highest panel has the second x axis of all, the lowest one names the first.
     fn draw_panel<B: DrawingBackend>(
         &self,
         area: &DrawingArea<B, Shift>,
         panel: &Panel,
         x: Range<f64>,
-        lowest: bool,
+        [highest, lowest]: [bool; 2],
     ) -> Drawn
     where
         B::ErrorType: 'static,
@@ -130,7 +146,7 @@ impl Chart {
         let mut chart = ChartBuilder::on(area)
             .margin_left(8)
             .margin_right(24)
-            .margin_top(8)
+            .margin_top(8 + if highest { self.upper_height() } else { 0 })
             .margin_bottom(4)
             .x_label_area_size(if lowest { FOOT } else { 24 })
             .y_label_area_size(LEFT)
@@ -148,13 +164,39 @@ impl Chart {
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.12))
             .draw()?;
-        panel.draw_lines(&mut chart)
+        panel.draw_lines(&mut chart)?;
+        match self.upper.as_ref().filter(|_| highest) {
+            Some(upper) => upper.draw(&mut chart),
+            None => Ok(()),
+        }
     }
 
     fn x_range(&self) -> Range<f64> {
         let lines = self.panels.iter().flat_map(|panel| &panel.lines);
         let (low, high) = extremes(lines.flat_map(|line| &line.points).map(|point| point.0));
         if high > low { low..high } else { low - 0.5..low + 0.5 }
+    }
+}
+
+impl UpperAxis {
+    /// Ticks with their labels along the upper edge, and the name to the left of them.
+    fn draw<'a, B: DrawingBackend + 'a>(&self, chart: &mut Axes<'a, B>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let (x, y) = (chart.x_range(), chart.y_range());
+        let label = |at, text: String, anchor| {
+            let style = self::text(TEXT_SIZE).pos(Pos::new(anchor, VPos::Bottom));
+            EmptyElement::at((at, y.end)) + Text::new(text, (0, -7), style)
+        };
+        let left = label(x.start, format!("{}  ", self.label), HPos::Right);
+        chart.draw_series([left])?;
+        for (at, text) in &self.ticks {
+            let tick = PathElement::new(vec![(0, 0), (0, -5)], BLACK);
+            chart.draw_series([EmptyElement::at((*at, y.end)) + tick])?;
+            chart.draw_series([label(*at, text.clone(), HPos::Center)])?;
+        }
+        Ok(())
     }
 }
 

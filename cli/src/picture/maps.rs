@@ -1,5 +1,6 @@
 //! Fields seen from above, side by side, each with axes and a colour bar.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use plotters::coord::Shift;
@@ -33,7 +34,7 @@ const CELLS: usize = 256;
 #[derive(Clone)]
 pub(crate) struct Map<'a> {
     pub(crate) title: String,
-    pub(crate) values: &'a [f64],
+    pub(crate) values: Cow<'a, [f64]>,
     /// Turns values into the unit of the title.
     pub(crate) factor: f64,
     /// Values of the first and the last colour, in that unit.

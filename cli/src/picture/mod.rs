@@ -16,7 +16,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 
-pub(crate) use lines::{Chart, Line, Panel, Scale};
+pub(crate) use lines::{Chart, Line, Panel, Scale, UpperAxis};
 pub(crate) use maps::{Map, Maps};
 pub(crate) use page::Page;
 

@@ -43,7 +43,7 @@ impl Fields {
     /// Keeps the contact of `maps`, if it is one of those to keep.
     pub(crate) fn keep(&mut self, maps: &Maps<'_>, label: &str) {
         let places = Places::new(&maps.grid, self.cells);
-        let fields = maps.maps.iter().map(|map| places.coded(map.values, map.factor));
+        let fields = maps.maps.iter().map(|map| places.coded(&map.values, map.factor));
         let frame = json!({"label": label, "fields": fields.collect::<Vec<_>>()});
         self.highest.resize(maps.maps.len(), 0.0);
         for (highest, map) in self.highest.iter_mut().zip(&maps.maps) {
@@ -163,7 +163,7 @@ mod tests {
         let hertz = scene.hertz().unwrap();
         let map = || Map {
             title: "film (nm)".to_owned(),
-            values: &values,
+            values: values.as_slice().into(),
             factor: 1.0,
             range: (0.0, 1.0),
             outline: true,

@@ -41,11 +41,11 @@ const fn estimated<'a>(
 }
 
 /// Numbers of a contact and of the means of a history. Those that an object does not have are left out.
-const CONTACT: [Number<'static>; 36] = [
+const CONTACT: [Number<'static>; 50] = [
     number("Hertz pressure", "hertz.pressure", "GPa", 1e-9),
     number("Half-width along x", "hertz.half_width_x", "µm", 1e6),
     number("Half-width along y", "hertz.half_width_y", "µm", 1e6),
-    number("Load (per metre: line contact)", "hertz.force", "N", 1.0),
+    number("Load", "hertz.force", "N", 1.0),
     number("Moes M", "moes.m", "", 1.0),
     number("Moes L", "moes.l", "", 1.0),
     estimated(
@@ -58,7 +58,12 @@ const CONTACT: [Number<'static>; 36] = [
     number("Central film", "film.central", "nm", 1e9),
     number("Least film", "film.minimum", "nm", 1e9),
     number("Film over Rq", "film.lambda", "", 1.0),
+    number("Least film over Rq", "film.minimum_lambda", "", 1.0),
     number("Film over Rq by formula", "film.formula_lambda", "", 1.0),
+    number("Central film over that by formula", "film.formula_ratio", "", 1.0),
+    number("Central film over the flooded one", "starvation.film_ratio", "", 1.0),
+    number("Central film if flooded", "starvation.flooded_film", "nm", 1e9),
+    number("Oil in the gap of the contact", "film.fluid_fraction", "%", 100.0),
     estimated(
         "Load on solids",
         "contact.load_ratio",
@@ -79,10 +84,13 @@ const CONTACT: [Number<'static>; 36] = [
     ),
     number("of which solid contact", "friction.boundary", "", 1.0),
     number("of which fluid", "friction.fluid", "", 1.0),
+    number("Power loss", "friction.power_loss", "W", 1.0),
+    number("Flash temperature rise", "flash_rise", "K", 1.0),
     number("Composite Rq", "roughness.composite_rq", "nm", 1e9),
     number("Rq of the ball", "roughness.ball_rq", "nm", 1e9),
     number("Rq of the disc", "roughness.disc_rq", "nm", 1e9),
     number("Viscosity of the oil", "oil.eta0", "mPa s", 1e3),
+    number("Viscosity ratio kappa (ISO 281)", "oil.kappa", "", 1.0),
     number("Inflow", "flow.inflow", "mm³/s", 1e9),
     number("Flow imbalance", "flow.imbalance", "", 1.0),
     number("Time of the test", "time", "s", 1.0),
@@ -90,18 +98,41 @@ const CONTACT: [Number<'static>; 36] = [
     number("Steps of the means", "averaged_steps", "", 1.0),
     number("Worn from the ball", "wear.ball_in_contact", "nm", 1e9),
     number("Worn from the disc", "wear.disc_in_contact", "nm", 1e9),
-    number("Wear volume of the ball", "wear.ball_volume", "µm³", 1e18),
-    number("Wear volume of the disc", "wear.disc_volume", "µm³", 1e18),
+    number("Wear volume of the ball", "wear.ball_volume", "mm³", 1e9),
+    number("Wear volume of the disc", "wear.disc_volume", "mm³", 1e9),
+    number("Specific wear rate of the ball", "wear.ball_specific_rate", "mm³/(N m)", 1e9),
+    number("Specific wear rate of the disc", "wear.disc_specific_rate", "mm³/(N m)", 1e9),
+    number("Scar width of the ball", "wear.ball_scar_width", "µm", 1e6),
+    number("Scar width of the disc", "wear.disc_scar_width", "µm", 1e6),
+    number("Scar depth of the ball", "wear.ball_scar_depth", "nm", 1e9),
+    number("Scar depth of the disc", "wear.disc_scar_depth", "nm", 1e9),
     number("Tribofilm on the ball", "tribofilm.ball_in_contact", "nm", 1e9),
     number("Tribofilm on the disc", "tribofilm.disc_in_contact", "nm", 1e9),
     number("Residual of the mass", "residual.mass", "", 1.0),
     number("Time of the computation", "seconds", "s", 1.0),
 ];
 
-/// The numbers of a contact; films of a dry one are rounding where the solids touch, and are left out.
-pub(crate) fn contact(json: &Value, lubricated: bool) -> String {
-    let shown = |number: &&Number<'_>| lubricated || !matches!(number.key, "film.central" | "film.minimum");
-    list(json, &CONTACT.iter().filter(shown).copied().collect::<Vec<_>>())
+/// The numbers of a contact; films of a dry one are rounding where the solids touch, and are left out. Those of a `line` contact are
+/// per metre of its length, which has no half-width along y.
+pub(crate) fn contact(json: &Value, lubricated: bool, line: bool) -> String {
+    let shown = |number: &&Number<'_>| match number.key {
+        "film.central" | "film.minimum" => lubricated,
+        "hertz.half_width_y" => !line,
+        _ => true,
+    };
+    let of_line = |number: &Number<'static>| {
+        let unit = match number.key {
+            "hertz.force" => "N/m",
+            "contact.plastic_area" => "µm²/m",
+            "flow.inflow" => "mm³/(s m)",
+            "friction.power_loss" => "W/m",
+            "wear.ball_volume" | "wear.disc_volume" => "mm³/m",
+            _ => number.unit,
+        };
+        Number { unit, ..*number }
+    };
+    let numbers = CONTACT.iter().filter(shown);
+    list(json, &numbers.map(|number| if line { of_line(number) } else { *number }).collect::<Vec<_>>())
 }
 
 /// Numbers below each other, with their errors and units.

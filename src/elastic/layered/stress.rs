@@ -62,6 +62,12 @@ pub struct LayeredStress {
     loads: Vec<[Complex64; 2]>,
 }
 
+/// The larger principal stress in planes of constant depth \[Pa\].
+fn in_plane(field: &StressField) -> impl Iterator<Item = f64> {
+    let normal = field.xx.iter().zip(&field.yy);
+    normal.zip(&field.xy).map(|((xx, yy), xy)| 0.5 * (xx + yy) + (0.5 * (xx - yy)).hypot(*xy))
+}
+
 /// The largest stresses in a layer and at its bond.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -73,6 +79,8 @@ pub struct LayerStressExtremes {
     pub bond_shear: Extreme,
     /// Largest tension `zz` at the bond, zero without tension.
     pub bond_tension: Extreme,
+    /// Largest tension in the plane of the surface, its larger principal stress; zero without tension.
+    pub surface_tension: Extreme,
 }
 
 /// The largest stresses in a layer and in the substrate below it.
@@ -160,12 +168,14 @@ impl LayeredStress {
                 at_bond = [largest(pairs.map(|(xz, yz)| xz.hypot(*yz))), largest(field.zz.iter().copied())];
             }
         }
+        let surface = largest(in_plane(&self.in_layer(0.0)?));
         let [bond_shear, bond_tension] = at_bond.map(|value| over(grid, &[bond], &[value]));
         Ok(LayeredStressExtremes {
             layer: LayerStressExtremes {
                 von_mises: over(grid, &within, &in_layer),
                 bond_shear,
                 bond_tension,
+                surface_tension: over(grid, &[0.0], &[surface]),
             },
             substrate: StressExtremes {
                 von_mises: over(grid, &below, &mises),

@@ -14,6 +14,7 @@
 //! node, in a cavitated one the film fraction minus one. The scale makes the derivative of the outflow by `s`
 //! continuous at zero.
 
+use super::feed::free_share;
 use super::film::FilmThickness;
 use super::{EAST, GivenFilm, NORTH, SOUTH, SideEdges, WEST};
 use crate::lubricant::Lubricant;
@@ -87,6 +88,8 @@ struct Face {
     conductance: f64,
     /// The same of its first piece \[m/Pa\].
     first_conductance: f64,
+    /// Share of the interval outside of feeds.
+    free_share: f64,
 }
 
 /// The balance of the cells of a film.
@@ -115,8 +118,10 @@ pub(super) struct Balance<'a> {
     /// Growth of the outflow of a full node with its pressure, over the growth with a film that ruptures
     /// downstream of it.
     rupture_ratio: Vec<f64>,
-    /// The fluid at the edges west, east, south and north.
-    edges: [Fluid; 4],
+    /// The fluid at the edges west and east, a value per row.
+    ends: [Vec<Fluid>; 2],
+    /// The fluid at the edges south and north.
+    sides: [Fluid; 2],
     /// Density ratio where the film is cavitated.
     pub(super) cavitated_density: f64,
     /// Reduced pressure there \[Pa\].
@@ -142,15 +147,19 @@ impl<'a> Balance<'a> {
         let (nx, ny) = (grid.nx(), grid.ny());
         let (entrained, unit) = if speed > 0.0 { (1.0, speed) } else { (0.0, 1.0) };
         let drag = 12.0 * problem.lubricant.viscosity().viscosity(0.0) * unit;
+        let node = |i: usize, j: usize| (grid.x(i), grid.y(j));
         let mut faces = Vec::with_capacity((nx + 1) * ny);
         for (j, i) in (0..ny).flat_map(|j| (0..=nx).map(move |i| (j, i))) {
             let [first, second] = problem.pieces(film, i, j);
             let whole = first.and(second);
+            let free_share =
+                if 0 < i && i < nx { free_share(problem.feeds, node(i - 1, j), node(i, j)) } else { 1.0 };
             faces.push(Face {
                 film: entrained * whole.film(),
                 first_film: entrained * first.film(),
-                conductance: 1.0 / (drag * whole.cubes),
-                first_conductance: 1.0 / (drag * first.cubes),
+                conductance: 1.0 / (drag * free_share * whole.cubes),
+                first_conductance: 1.0 / (drag * free_share * first.cubes),
+                free_share,
             });
         }
         let closed = ny == 1 || problem.sides == SideEdges::Closed;
@@ -158,13 +167,18 @@ impl<'a> Balance<'a> {
         let mut across = Vec::with_capacity(nx * (ny + 1));
         for (j, i) in (0..=ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
             let shut = closed && (j == 0 || j == ny);
-            across.push(if shut { 0.0 } else { aspect / (drag * problem.cubes_across(film, i, j)) });
+            let share =
+                if 0 < j && j < ny { free_share(problem.feeds, node(i, j - 1), node(i, j)) } else { 1.0 };
+            across.push(if shut { 0.0 } else { aspect / (drag * share * problem.cubes_across(film, i, j)) });
         }
         let [q_cavitation, slope, density, _] = point(problem.lubricant, problem.cavitation_pressure);
-        let edges = problem.edge_pressures.map(|pressure| {
+        let at_edge = |pressure: f64| {
             let [q, _, density, _] = point(problem.lubricant, pressure);
             Fluid { potential: q - q_cavitation, density, theta: 1.0, ..Fluid::default() }
-        });
+        };
+        let ends =
+            [WEST, EAST].map(|edge| (0..ny).map(|j| at_edge(problem.end_pressure(edge, j, grid))).collect());
+        let sides = [SOUTH, NORTH].map(|edge| at_edge(problem.edge_pressures[edge]));
         let (mut scale, mut rupture_ratio) = (Vec::with_capacity(grid.len()), Vec::with_capacity(grid.len()));
         for (j, i) in (0..ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
             let k = j * nx + i;
@@ -186,7 +200,8 @@ impl<'a> Balance<'a> {
             across,
             scale,
             rupture_ratio,
-            edges,
+            ends,
+            sides,
             cavitated_density: density,
             cavitated_potential: q_cavitation,
             fluids: vec![Fluid::default(); grid.len()],
@@ -278,11 +293,16 @@ impl<'a> Balance<'a> {
         }
     }
 
+    /// Share of the interval along x that ends at node `(i, j)` outside of feeds.
+    pub(super) fn free_share(&self, i: usize, j: usize) -> f64 {
+        self.faces[j * (self.film.grid().nx() + 1) + i].free_share
+    }
+
     /// The fluid at both ends of the interval along x that ends at node `(i, j)`.
     pub(super) fn ends_along(&self, i: usize, j: usize) -> [Fluid; 2] {
         let nx = self.film.grid().nx();
-        let first = i.checked_sub(1).map_or(self.edges[WEST], |i| self.fluids[j * nx + i]);
-        let second = if i < nx { self.fluids[j * nx + i] } else { self.edges[EAST] };
+        let first = i.checked_sub(1).map_or(self.ends[0][j], |i| self.fluids[j * nx + i]);
+        let second = if i < nx { self.fluids[j * nx + i] } else { self.ends[1][j] };
         [first, second]
     }
 
@@ -324,8 +344,8 @@ impl<'a> Balance<'a> {
     pub(super) fn flow_across(&self, i: usize, j: usize) -> Flow {
         let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
         let c = self.across[j * nx + i];
-        let first = j.checked_sub(1).map_or(self.edges[SOUTH], |j| self.fluids[j * nx + i]);
-        let second = if j < ny { self.fluids[j * nx + i] } else { self.edges[NORTH] };
+        let first = j.checked_sub(1).map_or(self.sides[0], |j| self.fluids[j * nx + i]);
+        let second = if j < ny { self.fluids[j * nx + i] } else { self.sides[1] };
         Flow {
             value: c * (first.potential - second.potential),
             by_first: c * first.potential_s,

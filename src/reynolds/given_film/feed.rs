@@ -3,8 +3,21 @@
 use crate::error::InputError;
 use crate::grid::Grid;
 
+/// Least share of the way between two nodes that is beyond the edge of a feed.
+const LEAST_SHARE: f64 = 0.02;
+
+/// Share of the way between two neighboring nodes that is outside of all `feeds`; one of both nodes may be in a feed.
+pub(super) fn free_share(feeds: &[Feed], first: (f64, f64), second: (f64, f64)) -> f64 {
+    let of = |point| feeds.iter().find(|feed| feed.contains(point));
+    match (of(first), of(second)) {
+        (Some(feed), None) => feed.share_beyond(first, second),
+        (None, Some(feed)) => feed.share_beyond(second, first),
+        _ => 1.0,
+    }
+}
+
 /// A rectangle of a [`GivenFilm`](super::GivenFilm) with a prescribed pressure: a groove, pocket or hole that is deep beside the
-/// film. All nodes within it have its pressure; its edges are resolved to half a cell.
+/// film. All nodes within it have its pressure; the flow to a node beside it starts at its edge.
 ///
 /// # Examples
 ///
@@ -18,7 +31,7 @@ use crate::grid::Grid;
 /// let oil = Lubricant::new(Barus::new(0.01, 0.0)?, Incompressible);
 /// let groove = [Feed::new([0.045, 0.055], [0.0, 1.0], 1e6)];
 /// let solution = GivenFilm::new(&film, &oil, [0.0, 0.0]).with_feeds(&groove).solve()?;
-/// let exact = 2.0 * 1e-15 * 1e6 / (12.0 * 0.01 * 0.0455); // h^3 p/(12 eta L), from the outermost node of the groove
+/// let exact = 2.0 * 1e-15 * 1e6 / (12.0 * 0.01 * 0.045); // h^3 p/(12 eta L)
 /// assert!((solution.feed_flows[0] / exact - 1.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -42,6 +55,17 @@ impl Feed {
     /// Whether a point is inside.
     pub(super) fn contains(&self, (x, y): (f64, f64)) -> bool {
         (self.x[0]..=self.x[1]).contains(&x) && (self.y[0]..=self.y[1]).contains(&y)
+    }
+
+    /// Share of the way from the node `inside` to its neighbor `outside` that is beyond the edge.
+    fn share_beyond(&self, inside: (f64, f64), outside: (f64, f64)) -> f64 {
+        let ranges = [(self.x, inside.0, outside.0), (self.y, inside.1, outside.1)];
+        let shares =
+            ranges.into_iter().filter(|(_, from, to)| (to - from).abs() > 0.0).map(|(range, from, to)| {
+                let edge = if to > from { range[1] } else { range[0] };
+                (to - edge) / (to - from)
+            });
+        shares.fold(1.0, f64::min).max(LEAST_SHARE)
     }
 
     /// The feed with `x` mirrored about the middle of `ends`.

@@ -124,6 +124,9 @@ pub struct GivenFilm<'a> {
     pub feeds: &'a [Feed],
     /// Roughness of both surfaces in the mean; smooth surfaces without it.
     pub roughness: Option<MeanRoughness>,
+    /// Distance from the sides along the edges across x, over which the pressures of these edges fall linearly to those of
+    /// the sides \[m\].
+    pub lands: f64,
 }
 
 impl<'a> GivenFilm<'a> {
@@ -139,6 +142,7 @@ impl<'a> GivenFilm<'a> {
             sides: SideEdges::Ambient,
             feeds: &[],
             roughness: None,
+            lands: 0.0,
         }
     }
 }
@@ -150,6 +154,7 @@ with_fields!(<'a> GivenFilm<'a> {
     with_sides sides: SideEdges,
     with_feeds feeds: &'a [Feed],
     with_roughness roughness: Option<MeanRoughness>,
+    with_lands lands: f64,
 });
 
 impl GivenFilm<'_> {
@@ -184,6 +189,15 @@ impl GivenFilm<'_> {
         grid.nodes().map(at).collect()
     }
 
+    /// Pressure at the edge `WEST` or `EAST` in row `j` of `grid` \[Pa\].
+    fn end_pressure(&self, edge: usize, j: usize, grid: Grid) -> f64 {
+        let south = grid.y(j) - grid.y(0) + 0.5 * grid.dy();
+        let north = grid.size_y() - south;
+        let (distance, side) = if south < north { (south, SOUTH) } else { (north, NORTH) };
+        let (whole, side) = (self.edge_pressures[edge], self.edge_pressures[side]);
+        if distance < self.lands { side + (whole - side) * distance / self.lands } else { whole }
+    }
+
     /// Mean speed of both surfaces \[m/s\].
     fn entrainment_speed(&self) -> f64 {
         0.5 * self.speeds[0] + 0.5 * self.speeds[1]
@@ -207,6 +221,7 @@ impl GivenFilm<'_> {
             )?;
         }
         self.validate_roughness()?;
+        InputError::require_non_negative("lands", self.lands)?;
         let grid = self.film.grid();
         let mut feeds = self.feeds.iter().enumerate();
         feeds.try_for_each(|(index, feed)| feed.validate(index, grid, self.cavitation_pressure))

@@ -59,7 +59,7 @@ impl Row {
             cavitated_shear: 0.0,
             reformation: None,
         };
-        let [first, last] = [WEST, EAST].map(|edge| problem.edge_pressures[edge]);
+        let [first, last] = [WEST, EAST].map(|edge| problem.end_pressure(edge, j, grid));
         row.profile.push([west, first]);
         let (mut before, mut x) = (first, west);
         for i in 0..=grid.nx() {
@@ -97,7 +97,8 @@ impl Row {
         let density = 0.5 * (first.density + second.density);
         // Rise of the reduced pressure over a full piece.
         let [rise, further] = pieces.map(|piece| {
-            balance.drag * (balance.entrained * density * piece.squares - flow.value * piece.cubes)
+            let whole = balance.entrained * density * piece.squares - flow.value * piece.cubes;
+            balance.drag * balance.free_share(i, j) * whole
         });
         let cavitated = first.theta < 1.0;
         let potential = if flow.ruptured {

@@ -97,6 +97,13 @@ impl GivenFilmSolution {
         self.reformation.get(row).copied().flatten()
     }
 
+    /// Adds the flow `through` \[m^3/s\] out of each side, beside the box.
+    pub(in crate::reynolds) fn add_side_flow(&mut self, through: f64) {
+        self.edge_flows[SOUTH] += through;
+        self.edge_flows[NORTH] += through;
+        self.side_flow += 2.0 * through;
+    }
+
     /// The grid.
     pub fn grid(&self) -> Grid {
         self.grid

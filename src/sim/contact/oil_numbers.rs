@@ -3,7 +3,7 @@
 use crate::error::InputError;
 use crate::sim::contact::formula::formula_film;
 use crate::sim::contact::oil;
-use crate::sim::scene::{LubricantSpec, Scene, ViscositySpec};
+use crate::sim::scene::{LubricantSpec, OilSpec, Scene, ViscositySpec};
 
 /// The oil at the temperature of the contact.
 ///
@@ -37,6 +37,12 @@ pub struct OilNumbers {
     pub alpha_uncertainty: f64,
     /// Relative uncertainty of the film by that of the coefficient, by the film formula.
     pub film_uncertainty: f64,
+    /// Kinematic viscosity at ambient pressure \[m^2/s\]; with a density of 870 kg/m^3 if the scene gives no oil by its
+    /// data sheet.
+    pub kinematic_viscosity: f64,
+    /// Viscosity ratio kappa of the bearing, `kinematic_viscosity` over `nu_1` of ISO 281
+    /// ([`RollingBearingSpec::rated_viscosity`](crate::sim::scene::RollingBearingSpec::rated_viscosity)); `None` without a bearing.
+    pub kappa: Option<f64>,
 }
 
 impl Scene {
@@ -62,6 +68,11 @@ impl Scene {
         } else {
             0.0
         };
+        let kinematic_viscosity = match spec.oil {
+            Some(oil) => oil.walther()?.kinematic_viscosity(temperature),
+            None => eta0 / OilSpec::default().density_at_15(),
+        };
+        let rated = self.bearing.map(|bearing| bearing.rated_viscosity()).transpose()?;
         Ok(Some(OilNumbers {
             temperature,
             eta0,
@@ -70,6 +81,8 @@ impl Scene {
             alpha_source,
             alpha_uncertainty,
             film_uncertainty,
+            kinematic_viscosity,
+            kappa: rated.map(|rated| kinematic_viscosity / rated),
         }))
     }
 }

@@ -47,6 +47,9 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
     if let Some(stress) = scene.stress {
         stress.validate(scene)?;
     }
+    if let Some(bearing) = scene.bearing {
+        bearing.rated_viscosity()?;
+    }
     let thermal = scene.thermal;
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;

@@ -10,7 +10,7 @@ use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::model::ContactModel;
 use crate::sim::contact::numbers::{
     ContactNumbers, FilmNumbers, FrictionNumbers, Moes, Numbers, PressureNumbers, RoughnessNumbers,
-    StressNumbers, ThermalNumbers,
+    StarvationNumbers, StressNumbers, ThermalNumbers,
 };
 use crate::sim::contact::warnings::Warning;
 use crate::sim::scene::SolverModel;
@@ -63,6 +63,11 @@ pub struct ContactSolution {
     pub stress: Option<StressNumbers>,
     /// Film temperature; `None` for an isothermal film.
     pub thermal: Option<ThermalNumbers>,
+    /// Largest flash temperature rise of the surfaces, steady under the solved friction \[K\]; `None` without sliding and
+    /// with `thermal.flash = "off"`.
+    pub flash_rise: Option<f64>,
+    /// Film over that of the flooded contact; `None` without [`supplied_film`](crate::sim::scene::LubricantSpec::supplied_film).
+    pub starvation: Option<StarvationNumbers>,
     /// Mean temperature across the film at every node \[K\]; empty for an isothermal film.
     pub film_temperature: Vec<f64>,
     /// Film thickness.
@@ -145,6 +150,8 @@ impl ContactModel {
             box_error: self.inlet.as_ref().map_or(0.0, Inlet::film_error),
             warnings: self.inlet.iter().filter_map(|inlet| inlet.warning(&self.grid)).collect(),
             stress: None,
+            flash_rise: None,
+            starvation: None,
             thermal,
             film_temperature: film_temperature.unwrap_or_default(),
         }

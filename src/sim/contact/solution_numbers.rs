@@ -25,8 +25,8 @@ impl fmt::Display for ContactSolution {
             .map_or_else(|| "dry".to_owned(), |moes| format!("Moes M {:.1}, L {:.3}", moes.m, moes.l));
         writeln!(
             f,
-            "Hertz      {:.4} GPa, {}; {moes}",
-            hertz.pressure * 1e-9,
+            "Hertz      {}, {}; {moes}",
+            pressure(hertz.pressure),
             if self.is_line() {
                 format!("{:.4e} N/m, half-width {:.2} um", hertz.force, hertz.half_width_x * 1e6)
             } else {
@@ -50,11 +50,22 @@ impl fmt::Display for ContactSolution {
             if self.is_line() { "/m" } else { "" }
         )?;
         self.write_flow(f)?;
-        writeln!(f, "approach   {:.3} nm", self.state.approach * 1e9)?;
+        writeln!(f, "approach   {}", length(self.state.approach))?;
         self.write_errors(f)?;
         self.write_heat(f)?;
+        self.write_starvation(f)?;
         self.write_stress(f)
     }
+}
+
+/// A length in nm or um by its size.
+fn length(value: f64) -> String {
+    if value.abs() < 10e-6 { format!("{:.3} nm", value * 1e9) } else { format!("{:.3} um", value * 1e6) }
+}
+
+/// A pressure in GPa, below a tenth of one in MPa.
+fn pressure(value: f64) -> String {
+    if value.abs() < 1e8 { format!("{:.4} MPa", value * 1e-6) } else { format!("{:.4} GPa", value * 1e-9) }
 }
 
 impl ContactSolution {
@@ -66,19 +77,23 @@ impl ContactSolution {
     /// Film, pressure and solid contact.
     fn write_film(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { film, contact, .. } = self;
+        // The gap of solids that touch is rounding.
+        if self.moes.is_some() {
+            writeln!(
+                f,
+                "film       central {}, minimum {}, mean {}{}",
+                length(film.central),
+                length(film.minimum),
+                length(film.mean_central),
+                film.formula_ratio
+                    .map_or_else(String::new, |ratio| format!("; central over formula {ratio:.3}"))
+            )?;
+        }
         writeln!(
             f,
-            "film       central {:.3} nm, minimum {:.3} nm, mean {:.3} nm{}",
-            film.central * 1e9,
-            film.minimum * 1e9,
-            film.mean_central * 1e9,
-            film.formula_ratio.map_or_else(String::new, |ratio| format!("; central over formula {ratio:.3}"))
-        )?;
-        writeln!(
-            f,
-            "pressure   maximum {:.4} GPa, central {:.4} GPa",
-            self.pressure.max * 1e-9,
-            self.pressure.central * 1e-9
+            "pressure   maximum {}, central {}",
+            pressure(self.pressure.max),
+            pressure(self.pressure.central)
         )?;
         writeln!(
             f,
@@ -141,8 +156,11 @@ impl ContactSolution {
         )
     }
 
-    /// Temperatures of film and surfaces, if modelled.
+    /// Flash temperature; temperatures of film and surfaces, if modelled.
     fn write_heat(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(rise) = self.flash_rise {
+            write!(f, "\nflash      surfaces up to {rise:.2} K above the bulk")?;
+        }
         let Some(heat) = &self.thermal else { return Ok(()) };
         let (ball, disc) = (heat.surface_rise_ball, heat.surface_rise_disc);
         write!(
@@ -150,6 +168,21 @@ impl ContactSolution {
             "\nheat       film up to {:.2} K, ball up to {ball:.2} K and disc up to {disc:.2} K above the bulk; {} solves",
             heat.film_temperature_max, heat.solves
         )
+    }
+
+    /// Film over that of the flooded contact, if the supply of oil is limited.
+    fn write_starvation(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(starvation) = self.starvation else { return Ok(()) };
+        write!(
+            f,
+            "\nstarved    central film {:.3} of the flooded one of {}",
+            starvation.film_ratio,
+            length(starvation.flooded_film)
+        )?;
+        match self.film.fluid_fraction {
+            Some(fraction) => write!(f, "; oil fills {:.2} % of the gap in the contact", 100.0 * fraction),
+            None => Ok(()),
+        }
     }
 
     /// Largest stresses below the surface and of the layer, if requested.
@@ -167,11 +200,12 @@ impl ContactSolution {
         let Some(layer) = stress.layer else { return Ok(()) };
         write!(
             f,
-            "\nlayer      von Mises {:.4} GPa at {:.2} um, bond: shear {:.4} GPa, tension {:.4} GPa",
+            "\nlayer      von Mises {:.4} GPa at {:.2} um, bond: shear {:.4} GPa, tension {:.4} GPa, surface: tension {:.4} GPa",
             layer.von_mises.stress * 1e-9,
             layer.von_mises.depth * 1e6,
             layer.bond_shear.stress * 1e-9,
-            layer.bond_tension.stress * 1e-9
+            layer.bond_tension.stress * 1e-9,
+            layer.surface_tension.stress * 1e-9
         )
     }
 }
@@ -185,8 +219,8 @@ mod named {
     use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, FlowBalance, Scheme};
     use crate::sim::contact::error_estimate::ErrorEstimate;
     use crate::sim::contact::numbers::{
-        ContactNumbers, FilmNumbers, FrictionNumbers, Moes, PressureNumbers, RoughnessNumbers, StressNumbers,
-        ThermalNumbers,
+        ContactNumbers, FilmNumbers, FrictionNumbers, Moes, PressureNumbers, RoughnessNumbers,
+        StarvationNumbers, StressNumbers, ThermalNumbers,
     };
     use crate::sim::contact::solution::ContactSolution;
     use crate::sim::contact::warnings::Warning;
@@ -216,6 +250,9 @@ mod named {
         approach: f64,
         stress: Option<StressNumbers>,
         thermal: Option<ThermalNumbers>,
+        /// Largest flash temperature rise \[K\].
+        flash_rise: Option<f64>,
+        starvation: Option<StarvationNumbers>,
         error_estimate: Option<ErrorEstimate>,
         grid: Cells,
         warnings: &'a [Warning],
@@ -263,6 +300,8 @@ mod named {
                 approach: self.state.approach,
                 stress: self.stress,
                 thermal: self.thermal,
+                flash_rise: self.flash_rise,
+                starvation: self.starvation,
                 error_estimate: self.error_estimate,
                 grid: Cells::of(&self.grid),
                 warnings: &self.warnings,

@@ -158,7 +158,7 @@ macro_rules! column {
 }
 
 /// All columns, in the order of a line.
-pub(in crate::sim) static COLUMNS: [Column; 78] = [
+pub(in crate::sim) static COLUMNS: [Column; 83] = [
     column!("", step),
     column!("s", time),
     column!("s", time_step),
@@ -177,6 +177,7 @@ pub(in crate::sim) static COLUMNS: [Column; 78] = [
     column!("", film.minimum_lambda),
     column!("", film.formula_ratio),
     column!("", film.formula_lambda),
+    column!("", film.fluid_fraction),
     column!("Pa", pressure.max),
     column!("Pa", pressure.central),
     column!("Pa", pressure.mean),
@@ -212,6 +213,10 @@ pub(in crate::sim) static COLUMNS: [Column; 78] = [
     column!("m", wear.disc_in_contact),
     column!("m^3", wear.ball_volume),
     column!("m^3", wear.disc_volume),
+    column!("m", wear.ball_scar_width),
+    column!("m", wear.disc_scar_width),
+    column!("m", wear.ball_scar_depth),
+    column!("m", wear.disc_scar_depth),
     column!("m", tribofilm.ball_mean),
     column!("m", tribofilm.disc_mean),
     column!("m", tribofilm.ball_max),

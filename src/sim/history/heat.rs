@@ -106,6 +106,27 @@ impl Heat {
     }
 }
 
+/// Largest rise of the surfaces \[K\] of a steady contact under the heat of `friction`, or from the temperature of the
+/// `film` if it is modelled. `None` if switched off, and without heat.
+pub(in crate::sim) fn steady_rise(
+    scene: &Scene,
+    contact: &ContactModel,
+    friction: &FrictionFields,
+    film: Option<&FilmIteration>,
+) -> Result<Option<f64>, InputError> {
+    let sources: Vec<f64> = (0..contact.grid.len()).map(|k| friction.heat(k)).collect();
+    if scene.thermal.flash == Flash::Off || sources.iter().all(|source| *source == 0.0) {
+        return Ok(None);
+    }
+    if let Some(film) = film {
+        return Ok(Some(film.surface_rises().into_iter().flatten().fold(0.0, |most, rise| rise.max(most))));
+    }
+    let speeds = contact.motion.surface_speeds();
+    let mut flash = FlashTemperature::new(&contact.grid, scene.thermal_bodies(), speeds)?;
+    let mut rises = vec![0.0; sources.len()];
+    Ok(Some(flash.rise(&sources, &mut rises)?.maximum))
+}
+
 /// Largest rise \[K\] of the smooth contact. The full load is carried by solids or by a fluid film of the
 /// thickness by formula, whichever is hotter. It is that of a circle under the mean flux; its radius is the
 /// geometric mean of the half-widths, or the half-width of a line contact.

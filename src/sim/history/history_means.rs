@@ -3,8 +3,6 @@
 //! The last tenth of the steps counts, at least one step. Columns of the contact and of the bodies have a mean;
 //! conditions and solver columns do not. Worn volumes are those after the last step.
 
-use std::fmt;
-
 use crate::sim::history::columns::{COLUMNS, Cell, Column};
 use crate::sim::history::record::StepRecord;
 
@@ -14,9 +12,17 @@ const WITHOUT_MEANS: [&str; 3] = ["motion", "residual", "work"];
 /// Columns that accumulate over the history.
 const TOTALS: [&str; 2] = ["wear.ball_volume", "wear.disc_volume"];
 
+/// The column outside of tables that has a mean.
+const FLASH: &str = "flash_rise";
+
+/// Keys of the specific wear rates of ball and disc in the table `wear`.
+pub(in crate::sim) const RATES: [&str; 2] = ["ball_specific_rate", "disc_specific_rate"];
+
 /// The columns that have means.
 fn averaged() -> impl Iterator<Item = &'static Column> {
-    let has_mean = |column: &&Column| column.path().is_some_and(|(table, _)| !WITHOUT_MEANS.contains(&table));
+    let has_mean = |column: &&Column| {
+        column.name == FLASH || column.path().is_some_and(|(table, _)| !WITHOUT_MEANS.contains(&table))
+    };
     COLUMNS.iter().filter(has_mean)
 }
 
@@ -46,6 +52,8 @@ pub struct HistoryMeans {
     moved: u64,
     /// Load times sliding distance \[N m\].
     load_distance: f64,
+    /// Whether the contacts are dry.
+    is_dry: bool,
 }
 
 impl HistoryMeans {
@@ -58,12 +66,14 @@ impl HistoryMeans {
             count: 0,
             moved: 0,
             load_distance: 0.0,
+            is_dry: false,
         }
     }
 
     /// Takes in the next step.
     pub fn see(&mut self, record: &StepRecord) {
         self.moved += u64::from(record.attempts > 1);
+        self.is_dry = record.report.energy_error.is_some();
         self.load_distance += record.load * record.motion.sliding_speed() * record.time_step;
         let values = averaged().map(|column| number((column.get)(record)));
         if self.ends.is_empty() {
@@ -90,6 +100,27 @@ impl HistoryMeans {
         self.named().find(|(column, _)| column.path() == Some((table, key))).map(|(_, mean)| mean)
     }
 
+    /// Volumes worn off ball and disc over load and sliding distance \[m^3/(N m)\]; `None` without sliding.
+    pub fn specific_wear_rates(&self) -> Option<[f64; 2]> {
+        let volume = |key| self.mean("wear", key);
+        let volumes = [volume("ball_volume")?, volume("disc_volume")?];
+        (self.load_distance > 0.0).then(|| volumes.map(|volume| volume / self.load_distance))
+    }
+
+    /// Columns with their values after the first and the last step, and their means.
+    pub(in crate::sim) fn rows(&self) -> impl Iterator<Item = (&'static Column, [Option<f64>; 3])> {
+        self.named().map(|(column, mean)| {
+            let ends = averaged().zip(&self.ends).find(|(other, _)| other.name == column.name);
+            let [first, last] = ends.map_or([None; 2], |(_, ends)| *ends);
+            (column, [first, last, Some(mean).filter(|_| !TOTALS.contains(&column.name))])
+        })
+    }
+
+    /// Whether the contacts are dry.
+    pub(in crate::sim) fn is_dry(&self) -> bool {
+        self.is_dry
+    }
+
     /// Columns and their means, without columns that were empty in a step.
     fn named(&self) -> impl Iterator<Item = (&'static Column, f64)> {
         let count = self.count;
@@ -110,29 +141,6 @@ fn number(cell: Cell) -> Option<f64> {
     }
 }
 
-impl fmt::Display for HistoryMeans {
-    /// A table of the first step, the last step, the mean of the last tenth and the unit, one line per result. Worn volumes are
-    /// in mm^3, and in mm^3/(N m) per load and distance.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:<28} {:>14} {:>14} {:>14}  unit", "", "first step", "last step", "last tenth")?;
-        for (column, mean) in self.named() {
-            let Column { name, unit, .. } = column;
-            let ends = averaged().zip(&self.ends).find(|(other, _)| other.name == *name);
-            let [first, last] = ends.map_or([None; 2], |(_, ends)| *ends);
-            let is_total = TOTALS.contains(name);
-            let (scale, unit) = if is_total { (1e9, "mm^3") } else { (1.0, *unit) };
-            let cell =
-                |value: Option<f64>| value.map_or_else(String::new, |value| format!("{:.6e}", scale * value));
-            let mean_cell = cell(Some(mean).filter(|_| !is_total));
-            write!(f, "\n{name:<28} {:>14} {:>14} {mean_cell:>14}  {unit}", cell(first), cell(last))?;
-            if is_total && self.load_distance > 0.0 {
-                write!(f, ", {:.6e} mm^3/(N m)", 1e9 * mean / self.load_distance)?;
-            }
-        }
-        Ok(())
-    }
-}
-
 #[cfg(feature = "serde")]
 mod named {
     use std::collections::BTreeMap;
@@ -140,7 +148,8 @@ mod named {
     use serde::Serialize;
 
     use crate::sim::contact::warnings::Warning;
-    use crate::sim::history::history_means::HistoryMeans;
+    use crate::sim::history::columns::Column;
+    use crate::sim::history::history_means::{HistoryMeans, RATES, averaged};
     use crate::sim::history::simulation::MixedLubricationSim;
     use crate::sim::scene::BODIES;
 
@@ -151,41 +160,75 @@ mod named {
         time: f64,
         averaged_steps: u64,
         moved_steps: u64,
+        /// Load times sliding distance \[N m\].
+        load_distance: f64,
         roughness_motion: String,
         warnings: Vec<Warning>,
         version: &'static str,
+        /// Numbers of the first and of the last step.
+        first_step: Tables,
+        last_step: Tables,
         #[serde(flatten)]
-        tables: BTreeMap<&'static str, BTreeMap<String, Entry>>,
+        tables: Tables,
     }
+
+    /// Numbers by table and key.
+    type Tables = BTreeMap<&'static str, Entry>;
 
     #[derive(Debug, Clone, Serialize)]
     #[serde(untagged)]
     enum Entry {
-        Mean(f64),
+        Number(f64),
         Profile(Vec<f64>),
+        Table(BTreeMap<String, Self>),
+    }
+
+    /// Adds the entry `key` to a table.
+    fn insert(tables: &mut Tables, table: &'static str, key: &str, entry: Entry) {
+        let table = tables.entry(table).or_insert_with(|| Entry::Table(BTreeMap::new()));
+        if let Entry::Table(entries) = table {
+            entries.insert(key.to_owned(), entry);
+        }
+    }
+
+    /// The `numbers` of columns with a table and a key.
+    fn tables_of(numbers: impl Iterator<Item = (&'static Column, f64)>) -> Tables {
+        let mut tables = Tables::new();
+        for (column, number) in numbers {
+            match column.path() {
+                Some((table, key)) => insert(&mut tables, table, key, Entry::Number(number)),
+                None => drop(tables.insert(column.name, Entry::Number(number))),
+            }
+        }
+        tables
     }
 
     impl HistoryMeans {
         /// The results of the history of `sim`, with the names in `docs/running.md`.
         pub fn numbers(&self, sim: &MixedLubricationSim) -> HistoryNumbers {
-            let mut tables: BTreeMap<_, BTreeMap<_, _>> = BTreeMap::new();
-            for (column, mean) in self.named() {
-                if let Some((table, key)) = column.path() {
-                    tables.entry(table).or_default().insert(key.to_owned(), Entry::Mean(mean));
-                }
+            let mut tables = tables_of(self.named());
+            for (name, rate) in RATES.into_iter().zip(self.specific_wear_rates().into_iter().flatten()) {
+                insert(&mut tables, "wear", name, Entry::Number(rate));
             }
+            let step = |index: usize| {
+                let ends = averaged().zip(&self.ends);
+                tables_of(ends.filter_map(|(column, ends)| Some((column, ends[index]?))))
+            };
             for (name, body) in BODIES.into_iter().zip(sim.bodies()) {
                 let profile = Entry::Profile(sim.worn_profile(body));
-                tables.entry("worn_profile").or_default().insert(name.to_owned(), profile);
+                insert(&mut tables, "worn_profile", name, profile);
             }
             HistoryNumbers {
                 steps: sim.steps(),
                 time: sim.time(),
                 averaged_steps: self.count,
                 moved_steps: self.moved,
+                load_distance: self.load_distance,
                 roughness_motion: format!("{:?}", sim.motion()),
                 warnings: sim.warnings().to_vec(),
                 version: env!("CARGO_PKG_VERSION"),
+                first_step: step(0),
+                last_step: step(1),
                 tables,
             }
         }

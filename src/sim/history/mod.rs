@@ -17,6 +17,7 @@ pub(in crate::sim) mod heat;
 pub(in crate::sim) mod history_means;
 #[cfg(feature = "serde")]
 pub(in crate::sim) mod identity;
+mod means_table;
 pub(in crate::sim) mod observer;
 mod parts;
 pub(in crate::sim) mod placement;

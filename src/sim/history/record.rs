@@ -154,7 +154,11 @@ impl MixedLubricationSim {
             flow: self.contact.flow,
             thermal: heat.map(|(numbers, _)| numbers),
             flash_rise,
-            wear: WearNumbers::of(depths(Body::wear)?, self.bodies.each_ref().map(Body::worn_volume)),
+            wear: WearNumbers::of(
+                depths(Body::wear)?,
+                self.bodies.each_ref().map(Body::worn_volume),
+                self.scars(conditions.motion.surface_speeds()),
+            ),
             tribofilm: depths(Body::tribofilm)?,
             plastic: PlasticNumbers { volume },
             error_estimate: None,

@@ -2,13 +2,19 @@
 
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::sim::contact::numbers::Scar;
 use crate::sim::history::body::Body;
+use crate::sim::history::exposure;
 use crate::sim::history::simulation::MixedLubricationSim;
+use crate::surface::PointRevisit;
+
+/// Half the length along x of the middle of a scar, over the Hertz half-width.
+const MIDDLE: f64 = 0.25;
 
 impl MixedLubricationSim {
     /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a`, where `a` is
-    /// the Hertz half-width along y under the load of the last step. Cells are weighted by their part within the
-    /// track. The mean does not depend on the box.
+    /// the Hertz half-width along y under the largest load of the schedule: the width is the same in all steps. Cells
+    /// are weighted by their part within the track. The mean does not depend on the box.
     ///
     /// # Errors
     /// A field whose length differs from the grid.
@@ -23,7 +29,9 @@ impl MixedLubricationSim {
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn mean_on_track(&self, field: &[f64]) -> Result<f64, InputError> {
-        let (grid, half_width) = (self.contact.grid, self.contact.hertz.half_extents()[1]);
+        let grid = self.contact.grid;
+        let [_, largest] = self.operating_schedule.loads();
+        let half_width = self.contact.hertz_under(&self.scene, largest)?.half_extents()[1];
         InputError::require_len("field", field, grid.len())?;
         let (mut sum, mut width) = (0.0, 0.0);
         for (j, row) in field.chunks_exact(grid.nx()).enumerate() {
@@ -39,6 +47,33 @@ impl MixedLubricationSim {
     pub fn worn_profile(&self, body: &Body) -> Vec<f64> {
         let nx = self.contact.grid.nx();
         body.wear().chunks_exact(nx).map(|row| row.iter().sum::<f64>() / nx as f64).collect()
+    }
+
+    /// The worn scars of ball and disc, whose surfaces move at `speeds` \[m/s\].
+    ///
+    /// The profile across the track is the mean along x; of a body whose points stay in the contact it is the mean over
+    /// the middle quarter of the Hertz contact along x. The profile of a cylinder at rest is that along x.
+    pub(in crate::sim) fn scars(&self, speeds: [f64; 2]) -> [Scar; 2] {
+        let grid = &self.contact.grid;
+        let (nx, is_line) = (grid.nx(), !grid.has_side_edges());
+        let middle = (MIDDLE * self.contact.hertz.half_extents()[0]).max(0.51 * grid.dx());
+        std::array::from_fn(|body| {
+            let (wear, motion) = (self.bodies[body].wear(), self.surface_motion.motion.as_ref());
+            let stays = exposure::visits(motion, speeds[body]) == PointRevisit::Permanent;
+            if is_line && stays {
+                return Scar::of_profile(nx, grid.dx(), |i| wear[i]);
+            }
+            let counts = |i: &usize| !stays || grid.x(*i).abs() <= middle;
+            let columns = (0..nx).filter(counts).count().max(1) as f64;
+            let row = |j: usize| {
+                let worn = (0..nx).filter(counts).map(|i| wear[j * nx + i]);
+                worn.sum::<f64>() / columns
+            };
+            if is_line {
+                return Scar { width: None, depth: row(0) };
+            }
+            Scar::of_profile(grid.ny(), grid.dy(), row)
+        })
     }
 
     /// Roughness on the track \[m\]: the rows of `heights` (one value per node of a body's patch) within `|y| <= a`,

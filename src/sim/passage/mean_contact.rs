@@ -31,9 +31,16 @@ impl SimBuilder {
         let numbers = means(passage, last.roughness);
         let mut contact =
             sim.contact.solution((report, heat), sim.state.clone(), gap, Some(&sim.friction), numbers);
+        contact.flash_rise = mean_of_all(passage, |record| record.flash_rise);
         contact.warnings.splice(..0, solution.warnings);
         Ok(contact)
     }
+}
+
+/// The mean of `value` over `records`; `None` if a record has none.
+fn mean_of_all(records: &[StepRecord], value: fn(&StepRecord) -> Option<f64>) -> Option<f64> {
+    let sum: Option<f64> = records.iter().map(value).sum();
+    sum.filter(|_| !records.is_empty()).map(|sum| sum / records.len() as f64)
 }
 
 /// Means of the numbers of `records`, between surfaces of this `roughness`.
@@ -41,8 +48,6 @@ fn means(records: &[StepRecord], roughness: RoughnessNumbers) -> Numbers {
     let mean = |value: fn(&StepRecord) -> f64| records.iter().map(value).sum::<f64>() / records.len() as f64;
     let mean_central = mean(|record| record.film.mean_central);
     let minimum = mean(|record| record.film.minimum);
-    let ratio = |record: &StepRecord| record.film.formula_ratio.unwrap_or(f64::NAN);
-    let formula_ratio = records.iter().map(ratio).sum::<f64>() / records.len() as f64;
     let first = records.first();
     Numbers {
         film: FilmNumbers {
@@ -52,8 +57,9 @@ fn means(records: &[StepRecord], roughness: RoughnessNumbers) -> Numbers {
             minimum_gap: mean(|record| record.film.minimum_gap),
             lambda: roughness.lambda(mean_central),
             minimum_lambda: roughness.lambda(minimum),
-            formula_ratio: Some(formula_ratio).filter(|ratio| ratio.is_finite()),
+            formula_ratio: mean_of_all(records, |record| record.film.formula_ratio),
             formula_lambda: first.and_then(|record| record.film.formula_lambda),
+            fluid_fraction: mean_of_all(records, |record| record.film.fluid_fraction),
         },
         pressure: PressureNumbers {
             max: mean(|record| record.pressure.max),

@@ -21,6 +21,9 @@ use crate::sim::scene::{
 };
 use crate::text_file;
 
+/// Length of grooves over the width of their bearing, where it is not given.
+const USUAL_GROOVE: f64 = 0.8;
+
 /// A rigid bearing by a scene file with the table `[given_film]`.
 ///
 /// ```
@@ -207,7 +210,10 @@ impl RigidBearing {
                 require_speed(speed)?;
                 let radius = 0.5 * diameter;
                 let grooves = self.grooves.as_ref();
-                let grooves = grooves.map(|spec| Grooves::new(&spec.angles, spec.width, spec.pressure));
+                let grooves = grooves.map(|spec| {
+                    let length = spec.length.unwrap_or(USUAL_GROOVE * width);
+                    Grooves::new(&spec.angles, [spec.width, length], spec.pressure)
+                });
                 let journal = JournalBearing::new([radius, width, clearance], speed / radius, lubricant)
                     .with_cells(self.cells)
                     .with_roughness(self.mean_roughness()?)

@@ -1,6 +1,6 @@
 //! Elastic constants of the pair, of a layer on the disc and of tribofilms.
 
-use super::Scene;
+use super::{BODIES, Scene};
 #[cfg(feature = "serde")]
 use super::{NamedMaterial, tables::required};
 use crate::elastic::{BondedFilm, Layer};
@@ -16,7 +16,7 @@ pub struct Elastic {
     /// moduli of the materials ([`Scene::equivalent_modulus`]).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_infinite"))]
     pub equivalent_modulus: f64,
-    /// A layer on the disc; `None` for a half-space.
+    /// A layer on ball or disc; `None` for half-spaces.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub layer: Option<LayerSpec>,
     /// Elastic constants of both tribofilms; `None` if they are as stiff as the bodies.
@@ -61,7 +61,7 @@ with_fields!(FilmElasticSpec { with_modulus modulus: f64, with_poisson poisson: 
 /// Poisson's ratio assumed if only `E'` of the bodies is known.
 const USUAL_POISSON: f64 = 0.3;
 
-/// A layer bonded to the disc as substrate.
+/// A layer bonded to the ball or the disc as substrate.
 ///
 /// # Examples
 ///
@@ -87,18 +87,55 @@ pub struct LayerSpec {
     pub modulus: f64,
     /// Poisson's ratio.
     pub poisson: f64,
-    /// Young's modulus of the substrate \[Pa\]; `None` for that of `materials.disc`.
+    /// The body below the layer.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "CoatedBody::is_disc"))]
+    pub body: CoatedBody,
+    /// Hardness of the layer, in place of that of the body below \[Pa\]; `None` for that hardness.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub hardness: Option<f64>,
+    /// Young's modulus of the substrate \[Pa\]; `None` for that of the material of the body.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub substrate_modulus: Option<f64>,
-    /// Poisson's ratio of the substrate; `None` for that of `materials.disc`.
+    /// Poisson's ratio of the substrate; `None` for that of the material of the body.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub substrate_poisson: Option<f64>,
 }
 
+/// The body that has a layer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum CoatedBody {
+    /// The ball.
+    Ball,
+    /// The disc.
+    #[default]
+    Disc,
+}
+
+impl CoatedBody {
+    /// Number of the body: 0 for the ball, 1 for the disc.
+    pub(in crate::sim) fn index(self) -> usize {
+        usize::from(self.is_disc())
+    }
+
+    /// Whether it is the disc.
+    pub(in crate::sim) fn is_disc(&self) -> bool {
+        *self == Self::Disc
+    }
+}
+
 impl LayerSpec {
-    /// A layer of `thickness` \[m\] with Young's modulus `modulus` \[Pa\] and Poisson's ratio `poisson`.
+    /// A layer on the disc, of `thickness` \[m\] with Young's modulus `modulus` \[Pa\] and Poisson's ratio `poisson`.
     pub const fn new(thickness: f64, modulus: f64, poisson: f64) -> Self {
-        Self { thickness, modulus, poisson, substrate_modulus: None, substrate_poisson: None }
+        Self {
+            thickness,
+            modulus,
+            poisson,
+            body: CoatedBody::Disc,
+            hardness: None,
+            substrate_modulus: None,
+            substrate_poisson: None,
+        }
     }
 }
 
@@ -106,6 +143,8 @@ with_fields!(LayerSpec {
     with_thickness thickness: f64,
     with_modulus modulus: f64,
     with_poisson poisson: f64,
+    with_body body: CoatedBody,
+    with_hardness hardness: Option<f64>,
     with_substrate_modulus substrate_modulus: Option<f64>,
     with_substrate_poisson substrate_poisson: Option<f64>,
 });
@@ -117,6 +156,9 @@ with_fields!(LayerSpec {
 struct LayerTable {
     thickness: f64,
     material: Option<NamedMaterial>,
+    #[serde(default)]
+    body: CoatedBody,
+    hardness: Option<f64>,
     modulus: Option<f64>,
     poisson: Option<f64>,
     substrate_modulus: Option<f64>,
@@ -134,6 +176,8 @@ impl TryFrom<LayerTable> for LayerSpec {
             thickness: table.thickness,
             modulus: required("modulus", modulus)?,
             poisson: required("poisson", poisson)?,
+            body: table.body,
+            hardness: table.hardness,
             substrate_modulus: table.substrate_modulus,
             substrate_poisson: table.substrate_poisson,
         })
@@ -195,33 +239,33 @@ impl Default for Elastic {
 }
 
 impl Scene {
-    /// The layer on the disc, if any.
+    /// The layer on ball or disc, if any.
     ///
     /// # Errors
     /// A value out of range, constants of the substrate that are missing or given twice.
     pub fn layer(&self) -> Result<Option<Layer>, InputError> {
         let Some(spec) = self.elastic.layer else { return Ok(None) };
-        let disc = &self.materials.disc;
-        let substrate = |key: &str, own: Option<f64>, disc_key: &str, disc: Option<f64>| {
+        let (name, body) = (BODIES[spec.body.index()], self.materials.bodies()[spec.body.index()]);
+        let substrate = |key: &str, own: Option<f64>, body_key: &str, body: Option<f64>| {
             let conflict =
                 |reason: String| Err(InputError::Conflict { field: format!("elastic.layer.{key}"), reason });
-            match (own, disc) {
+            match (own, body) {
                 (Some(value), None) | (None, Some(value)) => Ok(value),
-                (None, None) => conflict(format!("is missing, and so is materials.disc.{disc_key}")),
+                (None, None) => conflict(format!("is missing, and so is materials.{name}.{body_key}")),
                 (Some(_), Some(value)) => {
-                    conflict(format!("materials.disc.{disc_key} = {value:e} is given too; give only one"))
+                    conflict(format!("materials.{name}.{body_key} = {value:e} is given too; give only one"))
                 }
             }
         };
         let modulus =
-            substrate("substrate_modulus", spec.substrate_modulus, "modulus", disc.young_modulus())?;
-        let poisson = substrate("substrate_poisson", spec.substrate_poisson, "poisson", disc.poisson())?;
+            substrate("substrate_modulus", spec.substrate_modulus, "modulus", body.young_modulus())?;
+        let poisson = substrate("substrate_poisson", spec.substrate_poisson, "poisson", body.poisson())?;
         Layer::new(spec.thickness, [spec.modulus, spec.poisson], [modulus, poisson]).map(Some)
     }
 
-    /// The tribofilms of ball and disc on their supports, if they have elastic constants. The support of the disc
-    /// is its layer, if any. If only `E'` of the bodies is known, both have the same material with Poisson's ratio
-    /// 0.3; the compliance of a ball against a layer is the rest of `E'`.
+    /// The tribofilms of ball and disc on their supports, if they have elastic constants. The support of a coated body
+    /// is its layer. If only `E'` of the bodies is known, both have the same material with Poisson's ratio 0.3; the
+    /// compliance of the body against a layer is the rest of `E'`.
     ///
     /// # Errors
     /// A value out of range, films that are not more compliant than their support.
@@ -236,13 +280,18 @@ impl Scene {
     fn below_films(&self) -> Result<[[f64; 2]; 2], InputError> {
         let compliance = 2.0 / self.equivalent_modulus()?;
         let layer = self.layer()?;
-        let of_disc = layer.map_or(0.5 * compliance, |layer| layer.compliances()[1]);
-        // For a rigid ball the difference is a rounding error.
-        let of_ball = (compliance - of_disc).max(0.0);
+        let coated = self.elastic.layer.map_or(CoatedBody::Disc, |layer| layer.body).index();
+        let below = layer.map_or(0.5 * compliance, |layer| layer.compliances()[1]);
+        // For a rigid counterpart the difference is a rounding error.
+        let mut compliances = [(compliance - below).max(0.0); 2];
+        compliances[coated] = below;
         let usual = |compliance: f64| [(1.0 - USUAL_POISSON * USUAL_POISSON) / compliance, USUAL_POISSON];
         let [ball, disc] = self.materials.bodies().map(|body| body.young_modulus().zip(body.poisson()));
-        let [ball, disc] = [(ball, of_ball), (disc, of_disc)]
+        let mut supports = [(ball, compliances[0]), (disc, compliances[1])]
             .map(|(known, compliance)| known.map_or_else(|| usual(compliance), Into::into));
-        Ok([ball, self.elastic.layer.map_or(disc, |layer| [layer.modulus, layer.poisson])])
+        if let Some(layer) = self.elastic.layer {
+            supports[coated] = [layer.modulus, layer.poisson];
+        }
+        Ok(supports)
     }
 }

@@ -108,7 +108,8 @@ pub enum PadRelief {
 ///
 /// ```
 /// use stribeck::sim::scene::GrooveSpec;
-/// let opposite = GrooveSpec { angles: vec![std::f64::consts::PI], width: 5e-3, pressure: 2e5 };
+/// let opposite =
+///     GrooveSpec { angles: vec![std::f64::consts::PI], width: 5e-3, length: Some(20e-3), pressure: 2e5 };
 /// assert_eq!(opposite.angles.len(), 1);
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -117,6 +118,8 @@ pub struct GrooveSpec {
     pub angles: Vec<f64>,
     /// Width along the circumference \[m\].
     pub width: f64,
+    /// Length along the axis \[m\]; `None` for 0.8 of the width of the bearing.
+    pub length: Option<f64>,
     /// Pressure above ambient \[Pa\].
     pub pressure: f64,
 }
@@ -232,6 +235,8 @@ keyed! {
         groove_angles: Vec<f64>,
         /// Width of grooves \[m\].
         groove_width: f64,
+        /// Length of grooves along the axis \[m\].
+        groove_length: f64,
         /// Pressure of grooves above ambient \[Pa\].
         supply_pressure: f64,
         /// Temperature of the supplied oil \[K\].
@@ -255,7 +260,7 @@ const PAD_KEYS: [&str; 6] =
 /// Keys of every kind.
 const COMMON_KEYS: [&str; 1] = ["roughness"];
 /// Keys of the grooves of a journal.
-const GROOVE_KEYS: [&str; 3] = ["groove_angles", "groove_width", "supply_pressure"];
+const GROOVE_KEYS: [&str; 4] = ["groove_angles", "groove_width", "groove_length", "supply_pressure"];
 /// Keys of the heat balance.
 const HEAT_KEYS: [&str; 3] = ["supply_temperature", "heat_capacity", "heat_share"];
 /// Heat capacity of a volume of mineral oil \[J/(m^3 K)\].
@@ -317,14 +322,17 @@ impl BearingTable {
 
     /// Grooves of a journal.
     pub(in crate::sim) fn grooves(&self) -> Result<Option<GrooveSpec>, String> {
-        let any =
-            self.groove_angles.is_some() || self.groove_width.is_some() || self.supply_pressure.is_some();
+        let any = self.groove_angles.is_some()
+            || self.groove_width.is_some()
+            || self.groove_length.is_some()
+            || self.supply_pressure.is_some();
         if !any {
             return Ok(None);
         }
         Ok(Some(GrooveSpec {
             angles: self.groove_angles.clone().ok_or("missing field `groove_angles`")?,
             width: required("groove_width", self.groove_width)?,
+            length: self.groove_length,
             pressure: self.supply_pressure.unwrap_or(0.0),
         }))
     }

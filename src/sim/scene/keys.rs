@@ -12,7 +12,7 @@ use crate::error::InputError;
 use crate::units::Dimension;
 use Dimension::{
     Angle, Conductivity, Density, Diffusivity, Energy, Force, ForcePerLength, HeatCapacity, InversePressure,
-    Length, Pressure, PressurePerLength, Rate, Ratio, Speed, Temperature, Time, Viscosity, Volume,
+    Length, Pressure, PressurePerLength, Rate, Ratio, Rotation, Speed, Temperature, Time, Viscosity, Volume,
     VolumePerEnergy,
 };
 
@@ -28,6 +28,7 @@ pub(super) const KEYS: &[(&str, Dimension)] = &[
     ("elastic.equivalent_modulus", Pressure),
     ("elastic.layer.thickness", Length),
     ("elastic.layer.modulus", Pressure),
+    ("elastic.layer.hardness", Pressure),
     ("elastic.layer.substrate_modulus", Pressure),
     ("elastic.tribofilm.modulus", Pressure),
     ("materials.*.modulus", Pressure),
@@ -81,6 +82,7 @@ pub(super) const KEYS: &[(&str, Dimension)] = &[
     ("given_film.spacing", Length),
     ("given_film.groove_angles", Angle),
     ("given_film.groove_width", Length),
+    ("given_film.groove_length", Length),
     ("given_film.supply_pressure", Pressure),
     ("given_film.supply_temperature", Temperature),
     ("given_film.heat_capacity", HeatCapacity),
@@ -154,6 +156,8 @@ pub(super) const KEYS: &[(&str, Dimension)] = &[
     ("cycle.bulk_temperature", Temperature),
     ("stress.deepest", Length),
     ("stress.yield_strength", Pressure),
+    ("bearing.rotation", Rotation),
+    ("bearing.mean_diameter", Length),
     ("solver.film_cutoff", Length),
     ("solver.accuracy", Ratio),
 ];

@@ -162,9 +162,13 @@ impl Scene {
         self.elastic.modulus_with(&self.materials)
     }
 
-    /// Hardness of ball and disc \[Pa\]; `common` for a material without hardness.
+    /// Hardness of ball and disc \[Pa\], that of its layer for a coated body; `common` for a material without hardness.
     pub(in crate::sim) fn hardnesses(&self, common: f64) -> [f64; 2] {
-        self.materials.bodies().map(|body| body.hardness.unwrap_or(common))
+        let mut hardnesses = self.materials.bodies().map(|body| body.hardness.unwrap_or(common));
+        if let Some((layer, hardness)) = self.elastic.layer.and_then(|layer| Some((layer, layer.hardness?))) {
+            hardnesses[layer.body.index()] = hardness;
+        }
+        hardnesses
     }
 
     /// Thermal properties of ball and disc.
@@ -189,13 +193,27 @@ impl Scene {
             }
             let by_wear = self.wear.and_then(|wear| wear.law.hardness());
             if let (Some(hardness), None, None) = (body.hardness, &self.plastic, by_wear) {
-                return Err(InputError::Conflict {
-                    field: format!("materials.{name}.hardness = {hardness:e}"),
-                    reason: "nothing uses it: the scene has neither [plastic] nor [wear] by Archard's law"
-                        .to_owned(),
-                });
+                return Err(unused_hardness(&format!("materials.{name}.hardness"), hardness));
             }
         }
-        Ok(())
+        self.validate_layer_hardness()
+    }
+
+    /// Checks the hardness of a layer.
+    fn validate_layer_hardness(&self) -> Result<(), InputError> {
+        let field = "elastic.layer.hardness";
+        let Some(hardness) = self.elastic.layer.and_then(|layer| layer.hardness) else { return Ok(()) };
+        InputError::require_positive(field, hardness)?;
+        let by_wear = self.wear.and_then(|wear| wear.law.hardness());
+        let is_unused = self.plastic.is_none() && by_wear.is_none();
+        if is_unused { Err(unused_hardness(field, hardness)) } else { Ok(()) }
+    }
+}
+
+/// Error for a hardness of `field` that no law uses.
+fn unused_hardness(field: &str, hardness: f64) -> InputError {
+    InputError::Conflict {
+        field: format!("{field} = {hardness:e}"),
+        reason: "nothing uses it: the scene has neither [plastic] nor [wear] by Archard's law".to_owned(),
     }
 }

@@ -6,6 +6,7 @@
 //!
 //! [`Scene::azam_2019`] is a complete example.
 
+mod bearing;
 mod cycle;
 mod cycle_file;
 pub(in crate::sim) mod cycle_table;
@@ -47,8 +48,9 @@ mod track;
 mod tribofilm;
 mod wear;
 
+pub use bearing::RollingBearingSpec;
 pub use cycle::CycleSpec;
-pub use elastic::{Elastic, FilmElasticSpec, LayerSpec};
+pub use elastic::{CoatedBody, Elastic, FilmElasticSpec, LayerSpec};
 #[cfg(feature = "serde")]
 pub use explain::explain;
 #[cfg(feature = "serde")]
@@ -152,6 +154,9 @@ pub struct Scene {
     /// Stresses below the surface of a single contact; absent if not computed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub stress: Option<StressSpec>,
+    /// The rolling bearing, for the viscosity ratio of [`Scene::oil_numbers`]; absent if unknown.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub bearing: Option<RollingBearingSpec>,
     /// Solver of the contact problem.
     #[cfg_attr(feature = "serde", serde(default))]
     pub solver: SolverSpec,
@@ -203,6 +208,7 @@ impl Scene {
             schedule: Schedules::default(),
             cycle: None,
             stress: None,
+            bearing: None,
             solver: SolverSpec::default(),
         }
     }

@@ -3,7 +3,7 @@
 use super::Scene;
 use crate::error::InputError;
 
-/// Stresses below the surface of the disc, in single contacts.
+/// Stresses below the surface of the disc, or of the ball if that has a layer, in single contacts.
 ///
 /// # Examples
 ///
@@ -75,9 +75,9 @@ impl StressSpec {
             (Some(_), Some(_), _) => {
                 conflict("poisson and materials.disc.poisson are both given; give only one")
             }
-            (Some(_), None, Some(_)) => {
-                conflict("poisson is given, but elastic.layer has the ratios of layer and disc")
-            }
+            (Some(_), None, Some(_)) => conflict(
+                "poisson is given, but elastic.layer has the ratios of the layer and of the body below",
+            ),
             _ => Ok(()),
         }
     }

@@ -7,6 +7,7 @@ pub(in crate::sim) mod expectation;
 mod memory;
 mod prepared;
 mod solve_under;
+mod starvation;
 
 use super::contact::solution::ContactSolution;
 use super::error::SimError;

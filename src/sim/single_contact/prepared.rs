@@ -22,11 +22,13 @@ use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
 use crate::sim::history::builder::SimBuilder;
 use crate::sim::history::custom_parts::ReplacedParts;
+use crate::sim::history::heat;
 use crate::sim::history::placement::Placement;
 use crate::sim::history::track::track_rq;
 use crate::sim::history::yielding::Yielding;
 use crate::sim::scene::{GridSpec, Scene};
 use crate::sim::single_contact::accuracy::Meshes;
+use crate::sim::single_contact::starvation::starvation;
 use crate::surface::Offset;
 
 impl SimBuilder {
@@ -81,12 +83,14 @@ impl SimBuilder {
         if !scene.motion.roughness.is_at_rest() {
             return self.solve_mean_contact();
         }
+        let flooded = self.flooded();
         let mut solution = match self.begin()? {
             ReadySolve::Mesh(contact) => contact.solve()?,
             ReadySolve::Meshes(meshes) => meshes.solve(&mut observer)?,
         };
         let found = warnings::after_solve(&scene, &solution);
         solution.warnings.extend(found);
+        solution.starvation = flooded.map(|flooded| starvation(&solution, flooded)).transpose()?.flatten();
         Ok(solution)
     }
 
@@ -293,8 +297,10 @@ impl PreparedContact {
         let numbers = Numbers::of(&model, &state, known, limit.as_deref(), self.rq)?;
         let stress =
             known.map(|fields| StressNumbers::of(&scene, &model, &state, fields)).transpose()?.flatten();
+        let rise = |fields| heat::steady_rise(&scene, &model, fields, film_heat.as_ref());
+        let flash_rise = known.map(rise).transpose()?.flatten();
         let mut solution = model.solution(solved, state, gap, known, numbers);
-        solution.stress = stress;
+        (solution.stress, solution.flash_rise) = (stress, flash_rise);
         solution.warnings.splice(..0, self.warnings);
         Ok(solution)
     }

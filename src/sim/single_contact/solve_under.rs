@@ -8,6 +8,7 @@ use crate::sim::contact::numbers::is_known;
 use crate::sim::contact::setup;
 use crate::sim::contact::solution::ContactSolution;
 use crate::sim::error::SimError;
+use crate::sim::history::heat;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::track::track_rq;
 use crate::sim::scene::operating_schedule::Conditions;
@@ -62,8 +63,12 @@ impl MixedLubricationSim {
         let known = is_known(state).then_some(&*friction);
         let limit = laws.plasticity.is_some().then_some(yielding.limit.as_slice());
         let numbers = Numbers::of(contact, state, known, limit, rq)?;
+        let rise = |fields| heat::steady_rise(&self.scene, contact, fields, self.film_heat.as_ref());
+        let flash_rise = known.map(rise).transpose()?.flatten();
         let state = std::mem::replace(state, ContactState::new(&contact.grid));
-        Ok(contact.solution(solved, state, placement.gap.clone(), known, numbers))
+        let mut solution = contact.solution(solved, state, placement.gap.clone(), known, numbers);
+        solution.flash_rise = flash_rise;
+        Ok(solution)
     }
 }
 

@@ -2,7 +2,9 @@
 
 use stribeck::InputError;
 use stribeck::sim::MixedLubricationSim;
-use stribeck::sim::scene::{Exposure, Flash, FrictionSpec, GridSpec, InletSpec, Roughness, Scene};
+use stribeck::sim::scene::{
+    CoatedBody, Exposure, Flash, FrictionSpec, GridSpec, InletSpec, Roughness, Scene,
+};
 
 /// The part that is there by one of several laws.
 const SHEAR: &str = "shear of the oil";
@@ -18,7 +20,8 @@ impl Part {
     /// Its name; that of the shear says by which law.
     pub(super) fn name(&self) -> String {
         let law = self.why.split(',').next().filter(|_| self.what == SHEAR);
-        law.map_or_else(|| self.what.to_owned(), |law| format!("{} {law}", self.what))
+        let of = law.or_else(|| self.why.strip_prefix("elastic.layer: "));
+        of.map_or_else(|| self.what.to_owned(), |of| format!("{} {of}", self.what))
     }
 }
 
@@ -103,9 +106,27 @@ pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part
     if scene.is_lubricated() && !scene.is_smooth() {
         parts.push(roughness_in_motion(scene)?);
     }
+    parts.extend(coating(scene));
     parts.push(sliding(scene)?);
     parts.extend(changes(scene, sim));
     Ok(parts)
+}
+
+/// The layer on a body.
+fn coating(scene: &Scene) -> Option<Part> {
+    let layer = scene.elastic.layer?;
+    let name = if layer.body == CoatedBody::Ball { "ball" } else { "disc" };
+    let hardness =
+        layer.hardness.map_or_else(String::new, |hardness| format!(", hardness {:.3} GPa", 1e-9 * hardness));
+    Some(Part {
+        what: "coating",
+        modelled: true,
+        why: format!(
+            "elastic.layer: {:.3} um on the {name}, modulus {:.1} GPa{hardness}",
+            1e6 * layer.thickness,
+            1e-9 * layer.modulus
+        ),
+    })
 }
 
 fn why_rough(key: &str, roughness: &Roughness) -> String {

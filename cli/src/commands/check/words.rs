@@ -5,6 +5,7 @@ use stribeck::sim::{Expectation, ExpectedFilm};
 
 use super::Expected;
 use super::parts::Part;
+use crate::output;
 
 /// Largest share of the load on solids in a full film.
 const FULL_FILM: f64 = 0.05;
@@ -135,7 +136,7 @@ impl Expected {
         } else {
             String::new()
         };
-        vec![
+        let mut lines = vec![
             format!(
                 "oil        {:.4} mPa s at {:.2} degC: {}",
                 1e3 * oil.eta0,
@@ -143,7 +144,9 @@ impl Expected {
                 oil.eta0_source
             ),
             format!("           alpha {:.2} 1/GPa: {}{scatter}", 1e9 * oil.alpha, oil.alpha_source),
-        ]
+        ];
+        lines.extend(output::kappa(oil));
+        lines
     }
 
     fn mesh_lines(&self) -> Vec<String> {

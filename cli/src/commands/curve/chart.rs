@@ -5,7 +5,7 @@ use stribeck::sim::ContactSolution;
 
 use super::Curve;
 use super::row::{Columns, QUANTITIES, Quantity, Row};
-use crate::picture::{BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
+use crate::picture::{BLUE, Chart, GREEN, Line, Panel, Scale, UpperAxis, VERMILION};
 
 /// A panel for each quantity, with bands where values have them; resolved rows are drawn beside the curve. Films over speed or
 /// load have logarithmic axes.
@@ -50,8 +50,34 @@ pub(super) fn chart(name: &str, curve: &Curve<'_>) -> Chart {
         title: format!("{} {name}", columns.over.title()),
         x_label: columns.over.label(columns.line),
         x_scale: if columns.over.is_logarithmic() { Scale::Decades } else { Scale::Linear },
+        upper: lambda_axis(curve),
         panels: panels.collect(),
     }
+}
+
+/// Film over roughness as a second axis: the places where the curve first has a round value. `None` of a film that hardly changes and
+/// between smooth surfaces.
+fn lambda_axis(curve: &Curve<'_>) -> Option<UpperAxis> {
+    let index = QUANTITIES.iter().position(|quantity| quantity.column == "film_lambda")?;
+    let known =
+        curve.rows.iter().filter_map(|row| Some((place(curve.columns, row.at), row.values[index]?.mean)));
+    let known: Vec<(f64, f64)> =
+        known.filter(|(_, lambda)| *lambda > 0.0).map(|(x, l)| (x, l.ln())).collect();
+    let decades = (-3..3).map(|power| 10_f64.powi(power));
+    let round = decades.flat_map(|decade| [1.0, 2.0, 5.0].map(|step| step * decade));
+    let ticks = round.filter_map(|lambda| {
+        let between = known.windows(2).find_map(|pair| match pair {
+            [(x0, low), (x1, high)]
+                if (low - lambda.ln()) * (high - lambda.ln()) <= 0.0 && (high - low).abs() > 0.0 =>
+            {
+                Some(x0 + (x1 - x0) * (lambda.ln() - low) / (high - low))
+            }
+            _ => None,
+        });
+        between.map(|x| (x, format!("{}", (lambda * 1e3).round() / 1e3)))
+    });
+    let ticks: Vec<_> = ticks.collect();
+    (ticks.len() > 1).then_some(UpperAxis { label: "film / Rq", ticks })
 }
 
 /// The place of a value on the x axis.

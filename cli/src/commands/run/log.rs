@@ -133,7 +133,7 @@ impl Log {
         }
         let name = output::stem(&options.scene);
         report.table("<p>Means over the last tenth of the steps.</p>");
-        report.table(&report::contact(numbers, sim.scene().is_lubricated()));
+        report.table(&report::contact(numbers, sim.scene().is_lubricated(), sim.scene().form.is_line()));
         report.chart(&history(&name, &self.records))?;
         let seen = self.last.as_ref().map(|state| seen(&name, sim, state, self.records.last()));
         let last = seen.as_ref().filter(|_| sim.grid().ny() > 1).map(maps);
@@ -272,5 +272,11 @@ fn history(name: &str, records: &[StepRecord]) -> Chart {
         ];
         panels.push(panel("tribofilm (nm)", lines));
     }
-    Chart { title: format!("{name}: history"), x_label: "time (s)", x_scale: Scale::Linear, panels }
+    Chart {
+        title: format!("{name}: history"),
+        x_label: "time (s)",
+        x_scale: Scale::Linear,
+        panels,
+        upper: None,
+    }
 }

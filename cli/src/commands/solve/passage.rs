@@ -291,6 +291,7 @@ fn chart(name: &str, solution: &PassageSolution) -> Chart {
         title: format!("Passage of {name}"),
         x_label: "time (µs)",
         x_scale: Scale::Linear,
+        upper: None,
         panels: panels.into(),
     }
 }

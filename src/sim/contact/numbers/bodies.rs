@@ -70,7 +70,7 @@ pub struct DepthNumbers {
     pub ball_max: f64,
     /// Largest on the disc.
     pub disc_max: f64,
-    /// Mean over the width of the ball's track, `|y| <= a`
+    /// Mean over the width of the ball's track
     /// ([`mean_on_track`](crate::sim::MixedLubricationSim::mean_on_track)).
     pub ball_in_contact: f64,
     /// Mean over the width of the disc's track.

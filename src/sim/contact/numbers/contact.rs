@@ -3,7 +3,7 @@
 use super::{FrictionNumbers, RoughnessNumbers};
 use crate::error::InputError;
 use crate::metrics;
-use crate::reynolds::{ContactDefinition, ContactState, reaches_limit};
+use crate::reynolds::{Cavitation, ContactDefinition, ContactState, reaches_limit};
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::model::ContactModel;
 
@@ -43,6 +43,9 @@ pub struct FilmNumbers {
     /// Central film by formula (Hamrock and Dowson; Dowson and Toyoda for a line contact), with the stated
     /// pressure-viscosity coefficient, over the composite roughness; `None` for smooth surfaces and a dry contact.
     pub formula_lambda: Option<f64>,
+    /// Volume of oil over the volume of the gap inside the Hertz contact; `None` for a dry contact, an unknown film and
+    /// cavitation that does not conserve mass.
+    pub fluid_fraction: Option<f64>,
 }
 
 impl FilmNumbers {
@@ -56,6 +59,7 @@ impl FilmNumbers {
         minimum_lambda: None,
         formula_ratio: None,
         formula_lambda: None,
+        fluid_fraction: None,
     };
 
     /// From `state`, over the `roughness`.
@@ -82,8 +86,26 @@ impl FilmNumbers {
             minimum_lambda: roughness.lambda(minimum),
             formula_ratio: formula.map(|formula| central / formula),
             formula_lambda: model.lubricant.as_ref().and_then(|_| roughness.lambda(model.stated_film)),
+            fluid_fraction: fluid_fraction(model, state),
         })
     }
+}
+
+/// Volume of oil over that of the gap inside the Hertz contact; `None` where the film fraction is not solved for.
+fn fluid_fraction(model: &ContactModel, state: &ContactState) -> Option<f64> {
+    let conserves_mass = model.cavitation == Cavitation::MassConserving;
+    if model.lubricant.is_none() || !conserves_mass {
+        return None;
+    }
+    let ellipse = model.hertz.ellipse();
+    let (mut oil, mut gap) = (0.0, 0.0);
+    for ((x, y), (film, theta)) in model.grid.nodes().zip(state.film.iter().zip(&state.theta)) {
+        if ellipse.radius_squared(x, y) <= 1.0 {
+            oil += theta * film.max(0.0);
+            gap += film.max(0.0);
+        }
+    }
+    (gap > 0.0).then(|| oil / gap)
 }
 
 /// Total pressure, fluid plus solid \[Pa\].

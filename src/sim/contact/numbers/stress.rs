@@ -5,9 +5,9 @@ use crate::error::InputError;
 use crate::reynolds::ContactState;
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::model::ContactModel;
-use crate::sim::scene::Scene;
+use crate::sim::scene::{CoatedBody, Scene};
 
-/// Stresses below the surface of the disc, under pressure and friction.
+/// Stresses below the surface of the disc, or of the ball if that has a layer, under pressure and friction.
 ///
 /// # Examples
 ///
@@ -39,8 +39,8 @@ pub struct StressNumbers {
 }
 
 impl StressNumbers {
-    /// Stresses of `state`, if `scene` requests them. Friction on the disc is directed along the motion of the ball relative
-    /// to it.
+    /// Stresses of `state`, if `scene` requests them. Friction on a body is directed along the motion of the other one
+    /// relative to it.
     pub(in crate::sim) fn of(
         scene: &Scene,
         model: &ContactModel,
@@ -49,7 +49,9 @@ impl StressNumbers {
     ) -> Result<Option<Self>, InputError> {
         let Some(spec) = scene.stress else { return Ok(None) };
         let sliding = model.motion.sliding_speed() > 0.0;
-        let direction = model.motion.slide_roll_ratio.signum();
+        let coated = scene.elastic.layer.map_or(CoatedBody::Disc, |layer| layer.body);
+        let sign = if coated == CoatedBody::Ball { -1.0 } else { 1.0 };
+        let direction = sign * model.motion.slide_roll_ratio.signum();
         let traction: Option<Vec<f64>> =
             sliding.then(|| (0..state.pressure.len()).map(|k| direction * friction.stress(k)).collect());
         let depths = spec.depths(model.hertz.half_width_x.min(model.hertz.half_width_y));

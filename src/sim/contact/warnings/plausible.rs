@@ -118,6 +118,7 @@ fn bodies(scene: &Scene) -> Vec<Entry> {
     if let Some(layer) = elastic.layer {
         list.push(entry("elastic.layer.thickness", layer.thickness, LAYER));
         list.push(entry("elastic.layer.modulus", layer.modulus, MODULUS));
+        list.push(entry("elastic.layer.hardness", layer.hardness, HARDNESS));
         list.push(entry("elastic.layer.substrate_modulus", layer.substrate_modulus, MODULUS));
     }
     if let Some(stress) = scene.stress {

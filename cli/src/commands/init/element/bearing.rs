@@ -123,6 +123,10 @@ pub(super) fn element(options: &Init, name: &str) -> Result<Element, Box<dyn Err
             options.slide_roll_ratio.unwrap_or(0.0)
         ),
         boundary: 0.115,
+        bearing: format!(
+            "\n[bearing] # for the viscosity ratio kappa of ISO 281\nrotation = \"{rotation} rpm\"\nmean_diameter = \"{} mm\"\n",
+            plain(pitch)
+        ),
         is_dry: false,
         grid,
     })

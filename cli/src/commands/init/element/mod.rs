@@ -17,6 +17,9 @@ const DRY_BOX: f64 = 3.0;
 /// Keys of `[grid]` of line contacts.
 const LINE_GRID: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
 
+/// Options of the oil.
+const OIL: &str = "an oil (--grade, --eta0, --alpha)";
+
 /// Options of the elements.
 #[derive(clap::Args)]
 pub(super) struct Options {
@@ -48,6 +51,8 @@ struct Element {
     motion: String,
     /// Boundary friction coefficient.
     boundary: f64,
+    /// Table of the rolling bearing, or nothing.
+    bearing: String,
     is_dry: bool,
     /// Keys of `[grid]`.
     grid: String,
@@ -57,12 +62,16 @@ struct Element {
 pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
     let element = &options.element;
     let text = if let Some(rig) = element.rig {
+        require_used(options, "--rig", rig.options())?;
         text(options, &rig.element(options)?)?
     } else if let Some(name) = &element.bearing {
+        require_used(options, "--bearing", &["--rotation", "--slide-roll-ratio", OIL])?;
         text(options, &bearing::element(options, name)?)?
     } else if element.roller {
+        require_used(options, "--roller", &["--radius", "--speed", "--slide-roll-ratio", OIL])?;
         text(options, &roller(options)?)?
     } else if element.journal {
+        require_used(options, "--journal", &["--rotation", OIL])?;
         journal(options)?
     } else {
         return Ok(None);
@@ -81,6 +90,27 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
     }
     output::report_files(std::slice::from_ref(&options.file), options.json)?;
     Ok(Some(Outcome::Converged))
+}
+
+/// Error for a given option that the element `name`, which takes the load and the `used` options, leaves out.
+fn require_used(options: &Init, name: &str, used: &[&str]) -> Result<(), String> {
+    let given = [
+        ("--radius", options.radius.is_some()),
+        ("--speed", options.speed.is_some()),
+        ("--slide-roll-ratio", options.slide_roll_ratio.is_some()),
+        ("--rotation", options.machine.rotation().is_some()),
+        (OIL, options.grade.is_some() || options.eta0.is_some() || options.alpha.is_some()),
+        ("--roughness", options.roughness.is_some()),
+        ("--finish", options.finish.is_some()),
+        ("--surface", options.surface.is_some()),
+        ("--cells", options.cells.is_some()),
+    ];
+    match given.iter().find(|(option, is_given)| *is_given && !used.contains(option)) {
+        None => Ok(()),
+        Some((option, _)) => Err(format!(
+            "{option} has no effect on the scene of {name}; leave it out, and change the key in the scene file"
+        )),
+    }
 }
 
 /// The text of a quantity: that of the option `key`, or the usual one; and its value.
@@ -114,7 +144,8 @@ fn oil_tables(options: &Init, grade: &str, celsius: f64) -> Result<String, Box<d
 
 /// The scene file of `element`.
 fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
-    let Element { title, form, materials: [ball, disc], load, motion, boundary, is_dry, grid } = element;
+    let Element { title, form, materials: [ball, disc], load, motion, boundary, bearing, is_dry, grid } =
+        element;
     let bodies = format!(
         "{title}# `stribeck check` lists the contact, `stribeck solve` solves it. Every key: docs/scene.md.\n\n[form]\n{form}\n\
          [materials.ball]\nmaterial = \"{ball}\"\n\n[materials.disc]\nmaterial = \"{disc}\"\n\n[load]\n{load}\n[motion]\n{motion}\n"
@@ -128,7 +159,7 @@ fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
             oil_tables(options, "ISO VG 68", 60.0)?
         )
     };
-    Ok(format!("{bodies}{oil}\n[grid]\n{grid}"))
+    Ok(format!("{bodies}{oil}{bearing}\n[grid]\n{grid}"))
 }
 
 /// Cells around a circular contact of the radius \[m\] and `force` \[N\] with the effective modulus \[Pa\]: a box for a scar to grow in, or with an
@@ -180,6 +211,7 @@ fn roller(options: &Init) -> Result<Element, Box<dyn Error>> {
             options.slide_roll_ratio.unwrap_or(0.05)
         ),
         boundary: 0.115,
+        bearing: String::new(),
         is_dry: false,
         grid: LINE_GRID.to_owned(),
     })

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use stribeck::units::Dimension;
 
 use super::super::{Options as Init, plain};
-use super::{Element, LINE_GRID, quantity, rotation, round_grid, steel};
+use super::{Element, LINE_GRID, OIL, quantity, rotation, round_grid, steel};
 
 /// Effective modulus of steel on glass \[Pa\].
 const GLASS: f64 = 117e9;
@@ -27,6 +27,17 @@ pub(super) enum Rig {
 }
 
 impl Rig {
+    /// Its options beside the load.
+    pub(super) fn options(self) -> &'static [&'static str] {
+        match self {
+            Self::Mtm | Self::BallOnDisc | Self::TwinDisc => {
+                &["--radius", "--speed", "--slide-roll-ratio", OIL]
+            }
+            Self::PinOnDisc => &["--radius", "--speed"],
+            Self::FourBall => &["--radius", "--rotation", OIL],
+        }
+    }
+
     /// Its contact.
     pub(super) fn element(self, options: &Init) -> Result<Element, Box<dyn Error>> {
         match self {
@@ -71,6 +82,7 @@ fn ball(
             options.slide_roll_ratio.unwrap_or(slide_roll_ratio)
         ),
         boundary: 0.115,
+        bearing: String::new(),
         is_dry: false,
         grid: round_grid([metres, force], modulus, false)?,
     })
@@ -90,6 +102,7 @@ fn pin_on_disc(options: &Init) -> Result<Element, Box<dyn Error>> {
         load: format!("force = {load}\n"),
         motion: format!("ball_speed = 0.0\ndisc_speed = {speed}\n"),
         boundary: 0.6,
+        bearing: String::new(),
         is_dry: true,
         grid: round_grid([radius, force], steel(), true)?,
     })
@@ -117,6 +130,7 @@ fn twin_disc(options: &Init) -> Result<Element, Box<dyn Error>> {
             options.slide_roll_ratio.unwrap_or(0.1)
         ),
         boundary: 0.115,
+        bearing: String::new(),
         is_dry: false,
         grid: LINE_GRID.to_owned(),
     })
@@ -139,6 +153,7 @@ fn four_ball(options: &Init) -> Result<Element, Box<dyn Error>> {
         load: format!("force = {} # N\n", plain(force / 6.0_f64.sqrt())),
         motion: format!("ball_speed = {} # m/s\ndisc_speed = 0.0\n", plain(speed)),
         boundary: 0.115,
+        bearing: String::new(),
         is_dry: false,
         grid: round_grid([0.5 * radius, force / 6.0_f64.sqrt()], steel(), false)?,
     })

@@ -4,6 +4,8 @@ use std::error::Error;
 use std::fmt::Write as _;
 
 use stribeck::analytic::{HertzLine, HertzPoint};
+use stribeck::sim::Scene;
+use stribeck::surface::Form;
 
 use super::super::answers::Answers;
 use super::super::{Options, STEEL, oil, plain, rounded};
@@ -21,6 +23,28 @@ fn list(values: &[f64]) -> String {
     let lines =
         values.chunks(8).map(|chunk| chunk.iter().map(|v| format!("{v:.9e}")).collect::<Vec<_>>().join(", "));
     format!("[\n  {},\n]", lines.collect::<Vec<_>>().join(",\n  "))
+}
+
+/// Longest distance of a flooded inlet from the middle over the contacts of the machine \[m\]. `text` has all tables but the grid.
+fn longest_inlet(text: &str, machine: &Machine) -> Result<f64, Box<dyn Error>> {
+    let grid = if machine.is_line {
+        "nx = 16\nx = [-1.0, 1.0]"
+    } else {
+        "nx = 16\nny = 16\nx = [-1.0, 1.0]\ny = [-1.0, 1.0]"
+    };
+    let mut scene = Scene::from_toml(&format!("{text}[grid]\n{grid}\n"))?;
+    let mut longest = 0.0_f64;
+    for (k, (&radius, &load)) in machine.radii.iter().zip(&machine.loads).enumerate() {
+        scene.form = if machine.is_line { Form::Cylinder { radius } } else { Form::Sphere { radius } };
+        scene.load.force = Some(load);
+        let speed = 0.5 * (machine.speeds[0][k] + machine.speeds[1][k]).abs();
+        if scene.is_lubricated() && speed > 0.0 {
+            scene.motion.entrainment_speed = speed;
+            let half_width = scene.hertz()?.half_width_x;
+            longest = longest.max(half_width * super::super::flooded_inlet(&scene, half_width)?);
+        }
+    }
+    Ok(longest)
 }
 
 /// The text of the scene.
@@ -72,14 +96,15 @@ pub(super) fn text(
         "{}\n[friction]\nboundary_coefficient = 0.115 # where solids touch\neyring_stress = \"5 MPa\" # from which on the oil thins\n",
         oil::tables(options, answers)
     )?;
-    let up = UPSTREAM * half_width;
+    let shortest = UPSTREAM * half_width;
+    let up = longest_inlet(&text, machine)?.max(shortest);
     let down = if machine.reverses { up } else { DOWNSTREAM * half_width };
     let edge = |length: f64| format!("{} um", plain(rounded(length) * 1e6));
-    writeln!(
-        text,
-        "[grid]\nnx = {}",
-        options.cells.unwrap_or(if machine.is_line { LINE_CELLS } else { POINT_CELLS })
-    )?;
+    let usual = if machine.is_line { LINE_CELLS } else { POINT_CELLS };
+    // Cells of a longer box are not wider.
+    let wider = (up + down) / (shortest + if machine.reverses { shortest } else { DOWNSTREAM * half_width });
+    let cells = 2 * (0.5 * wider * f64::from(usual)).ceil() as u32;
+    writeln!(text, "[grid]\nnx = {}", options.cells.unwrap_or(cells))?;
     if !machine.is_line {
         writeln!(
             text,
