@@ -65,6 +65,14 @@ impl Interruptible {
         self.interrupt.as_ref()
     }
 
+    /// Polls the interrupt, if any.
+    ///
+    /// # Errors
+    /// An interruption.
+    pub(in crate::sim) fn poll(&self) -> Result<(), SimError> {
+        Interrupt::poll(self.interrupt.as_ref())
+    }
+
     /// Whether the solve was interrupted.
     pub(in crate::sim) fn is_interrupted(&self) -> bool {
         self.was_interrupted.load(Ordering::Relaxed)

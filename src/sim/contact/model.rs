@@ -20,7 +20,7 @@ use crate::sim::contact::compliant_films::CompliantFilms;
 use crate::sim::contact::components::{CustomComponents, checked_deformation, lubricant, validated_grid};
 use crate::sim::contact::far_field::{FarField, Inlet};
 use crate::sim::contact::formula::{FormulaFilm, formula_film, stated_film};
-use crate::sim::contact::interrupt::{Interrupt, Interruptible};
+use crate::sim::contact::interrupt::Interruptible;
 use crate::sim::contact::{film_temperature, setup};
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
@@ -142,14 +142,6 @@ impl ContactModel {
             load: conditions.load,
             bulk_temperature: conditions.bulk_temperature,
         })
-    }
-
-    /// Polls the interrupt of the solves, if any.
-    ///
-    /// # Errors
-    /// An interruption.
-    pub(in crate::sim) fn poll(&self) -> Result<(), SimError> {
-        Interrupt::poll(self.deformation.bodies().interrupt())
     }
 
     /// Sets the tribofilms of ball and disc \[m\] as placed in the contact, for the next solves.

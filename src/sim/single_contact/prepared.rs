@@ -154,20 +154,20 @@ impl SimBuilder {
         let custom = std::mem::take(&mut self.custom);
         Interrupt::poll(custom.interrupt.as_ref())?;
         let mut contact = ContactModel::new(&self.scene, custom)?;
-        contact.poll()?;
+        contact.deformation.bodies().poll()?;
         if let (Some(plastic), None) = (self.scene.plastic, &self.plasticity) {
             let [ball, disc] = self.scene.hardnesses(plastic.hardness);
             setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
         }
         let laws = self.laws()?;
         let ball = self.body(0, &contact, &laws)?;
-        contact.poll()?;
+        contact.deformation.bodies().poll()?;
         let bodies = [ball, self.body(1, &contact, &laws)?];
-        contact.poll()?;
+        contact.deformation.bodies().poll()?;
         asperity_inlets::require_no_lay(&self.scene, &contact.grid, bodies.each_ref().map(Body::initial))?;
         let warnings = self.warnings(replaced, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(replaced, &bodies);
-        contact.poll()?;
+        contact.deformation.bodies().poll()?;
         let state = start(&contact.grid)?;
         let mut prepared = PreparedContact::new(self.scene, contact, bodies, laws, state)?;
         prepared.warnings = warnings;
@@ -260,13 +260,13 @@ impl PreparedContact {
                 Some(yielding.limit)
             }
         };
-        model.poll()?;
+        model.deformation.bodies().poll()?;
         let friction = FrictionFields::new(&scene, grid.len())?;
         let film_heat = FilmIteration::new(&scene, &model)?;
         model.reuses_buffers = film_heat.is_some();
         let rq = bodies.each_ref().map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
         model.check(&gap, limit.as_deref(), &state)?;
-        model.poll()?;
+        model.deformation.bodies().poll()?;
         let warnings = Vec::new();
         Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, film_heat, rq, warnings })
     }
