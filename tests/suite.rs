@@ -18,6 +18,7 @@ mod clone;
 mod compliant_film;
 mod conformance;
 mod cycle;
+mod cycle_history;
 mod data_sheets;
 mod dry;
 mod elastic;

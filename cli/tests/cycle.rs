@@ -117,10 +117,10 @@ fn cam_by_asperity_inlets_balances_the_load_at_all_angles() {
     let folder = tempfile::tempdir().unwrap();
     let lift = lift(folder.path(), 73);
     let slow: Vec<&str> =
-        cam(&lift).into_iter().map(|option| if option == "1000" { "60" } else { option }).collect();
+        cam(&lift).into_iter().map(|option| if option == "1000" { "5" } else { option }).collect();
     let path = init(folder.path(), &slow);
     let scene = fs::read_to_string(&path).unwrap();
-    let (mut row, rate) = (0, TAU);
+    let (mut row, rate) = (0, TAU / 12.0);
     let numbers = |key: &str| -> Vec<f64> {
         let list = scene.split(&format!("\n{key} = [")).last().unwrap().split(']').next().unwrap();
         list.split(',').filter_map(|cell| cell.trim().parse().ok()).collect()
@@ -134,7 +134,7 @@ fn cam_by_asperity_inlets_balances_the_load_at_all_angles() {
         row += usize::from(u1 + u2 < 0.0);
     }
     assert!(row > 4, "{row} rows with reversed flow");
-    let rough = "[roughness.ball]\nkind = \"gaussian\"\nrq = 0.4e-6\nlength_x = 40e-6\nlength_y = 40e-6\nseed = 1\n[solver]\n\
+    let rough = "[roughness.ball]\nkind = \"gaussian\"\nrq = 0.2e-6\nlength_x = 40e-6\nlength_y = 40e-6\nseed = 1\n[solver]\n\
                  model = \"asperity_inlets\"\n[cycle]\nquasi_static = true";
     let strip = scene
         .replace("nx = 96", "across = \"periodic\"\nnx = 96\nny = 24\ny = [-0.1e-3, 0.1e-3]")
@@ -147,7 +147,8 @@ fn cam_by_asperity_inlets_balances_the_load_at_all_angles() {
     let points = json["points"].as_array().unwrap();
     assert_eq!(points.len(), 73);
     assert!(points.iter().all(|point| number(point, "residual_load") < 1e-6));
-    assert!(points.iter().any(|point| number(point, "contact_load_ratio") > 0.05));
+    let nose = points.iter().find(|point| (number(point, "angle") - PI).abs() < 0.6 * TAU / 73.0).unwrap();
+    assert!(number(nose, "contact_load_ratio") > 0.2, "{nose}");
 }
 
 #[test]

@@ -27,6 +27,7 @@ pub(crate) fn solve_cycle<'py>(
     of_all.set_item("quasi_static", solution.quasi_static)?;
     of_all.set_item("largest_step", solution.largest_step)?;
     of_all.set_item("closure", solution.closure)?;
-    of_all.set_item("ended_early", solution.ended_early)?;
+    of_all.set_item("ended_early", solution.ended_early.as_ref().map(ToString::to_string))?;
+    of_all.set_item("cycles", list(py, &solution.cycles)?)?;
     Ok((list(py, &solution.points)?, (of_all, list(py, &solution.warnings)?)))
 }

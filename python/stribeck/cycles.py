@@ -41,24 +41,31 @@ class Cycle:
     unknown; the names are those of ``cycle.columns``: ``time`` [s], ``angle`` [rad], ``load`` [N], ``ball_speed`` and ``disc_speed`` [m/s],
     ``radius`` [m], ``bulk_temperature`` [K], ``hertz_pressure`` [Pa], ``formula_film`` [m], ``film_central``, ``film_minimum`` and
     ``film_mean_central`` [m], ``pressure_max`` [Pa], ``contact_load_ratio``, ``friction_coefficient``, ``friction_power`` [W],
-    ``flash_rise`` [K], ``squeeze_ratio``, ``residual_load``, ``iterations``; those of a line contact are per metre.
+    ``flash_rise`` [K], ``squeeze_ratio``, ``wear_ball_volume`` and ``wear_disc_volume`` [m^3], ``residual_load``, ``iterations``; those of a line contact are per metre.
 
     ``quasi_static`` says whether the contacts are steady ones, ``largest_step`` is the largest way of the entrained film in a step, in
     half-widths, ``closure`` the relative difference of the last central film from that one cycle before, ``ended_early`` the reason for
-    an early end, or None."""
+    an early end, or None. With ``cycle.repeat`` the contacts are those of the last cycle, and ``history`` has an array for each of
+    ``cycles`` (up to the end of a solved one), ``film_minimum`` [m], ``pressure_max`` [Pa], ``contact_load_ratio``,
+    ``friction_coefficient``, ``wear_ball_volume``, ``wear_disc_volume`` [m^3], ``wear_ball_max``, ``wear_disc_max``,
+    ``tribofilm_ball_max`` and ``tribofilm_disc_max`` [m]; it is empty without."""
 
-    __slots__ = ("_columns", "closure", "ended_early", "largest_step", "quasi_static")
+    __slots__ = ("_columns", "closure", "ended_early", "history", "largest_step", "quasi_static")
 
     quasi_static: bool
     largest_step: float
     closure: float
     ended_early: str | None
+    history: dict[str, npt.NDArray[np.float64]]
 
     def __init__(self, points: Sequence[Mapping[str, Any]], of_all: Mapping[str, Any]) -> None:
         names = list(points[0]) if points else []
         self._columns = {name: np.array([point[name] for point in points], dtype=float) for name in names}
         self.quasi_static, self.largest_step = of_all["quasi_static"], of_all["largest_step"]
         self.closure, self.ended_early = of_all["closure"], of_all["ended_early"]
+        cycles = of_all["cycles"]
+        names = list(cycles[0]) if cycles else []
+        self.history = {name: np.array([cycle[name] for cycle in cycles], dtype=float) for name in names}
 
     @property
     def columns(self) -> tuple[str, ...]:

@@ -30,3 +30,13 @@ def test_rows_that_do_not_fit_are_named() -> None:
     table = {"time": [0.0, 1e-3, 2e-3], "load": [1e5, -1.0, 1e5]}
     with pytest.raises(stribeck.InputError, match=r"cycle\.load\[1\] = -1"):
         stribeck.cycle(stribeck.Scene(ROLLER).replace(cycle=table))
+
+
+def test_bodies_of_a_history_wear_from_cycle_to_cycle() -> None:
+    table = {"time": [0.0, 1e-3, 2e-3], "load": [1e5, 1e5, 1e5], "steps": 8, "repeat": 200, "solved": 2}
+    wear = {"exposure": "contact_clock", "pressure": "total"}
+    solved = stribeck.cycle(stribeck.Scene(ROLLER).replace(cycle=table, wear=wear))
+    assert solved.history["cycles"] == pytest.approx([100.0, 200.0])
+    volumes = solved.history["wear_disc_volume"]
+    assert volumes[0] > 0.0 and volumes[1] == pytest.approx(2.0 * volumes[0], rel=1e-4)
+    assert solved["wear_disc_volume"][-1] == volumes[1]

@@ -106,6 +106,17 @@ impl Tribofilm {
         Ok(Self { n_states, states, thickness, gained, lost })
     }
 
+    /// Mirrors the film in x, on rows of `nx` nodes.
+    pub(crate) fn mirror(&mut self, nx: usize) {
+        let n_states = self.n_states;
+        self.thickness.chunks_mut(nx.max(1)).for_each(<[f64]>::reverse);
+        for row in self.states.chunks_mut(nx.max(1) * n_states) {
+            // Reverse the nodes, and the states of each node again.
+            row.reverse();
+            row.chunks_exact_mut(n_states).for_each(<[f64]>::reverse);
+        }
+    }
+
     /// Accumulated gain and loss of thickness, summed over nodes \[m\].
     pub(crate) fn changes(&self) -> [f64; 2] {
         [self.gained, self.lost]

@@ -7,7 +7,7 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use stribeck::Status;
-use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, SimError};
+use stribeck::sim::{CyclePoint, CycleRecord, CycleSolution, MixedLubricationSim, SimError};
 
 use crate::output::{self, Held, Outcome, Output, ReportFile};
 use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
@@ -19,7 +19,8 @@ const LINES: usize = 25;
 /// Squeeze term from which on a quasi-static cycle is warned of.
 const LARGE_SQUEEZE: f64 = 0.1;
 
-/// The table [cycle] of the scene has the conditions over time or angle. Each contact is a line of `SCENE_cycle.csv`.
+/// The table [cycle] of the scene has the conditions over time or angle. Each contact is a line of `SCENE_cycle.csv`, each solved cycle
+/// of a history (cycle.repeat) one of `SCENE_cycles.csv`.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
@@ -37,6 +38,10 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let name = format!("{}_cycle", output::stem(&options.scene));
     let is_line = scene.form.is_line();
     let mut targets = vec![options.output.out.join(format!("{name}.csv"))];
+    if scene.cycle.as_ref().is_some_and(|cycle| cycle.repeat.is_some()) {
+        targets.push(options.output.out.join(format!("{name}s.csv")));
+    }
+    let cycles = targets.get(1).cloned();
     if options.output.plot {
         targets.extend(picture::files(&options.output.out, &name));
     }
@@ -58,6 +63,10 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let solution = solved.map_err(|error: SimError| output::in_scene(&options.scene, &error))?;
     let lines: Vec<String> = solution.points.iter().map(CyclePoint::csv).collect();
     files::write(&targets[0], format!("{}\n{}\n", CyclePoint::COLUMNS, lines.join("\n")).as_bytes())?;
+    if let Some(path) = &cycles {
+        let lines: Vec<String> = solution.cycles.iter().map(CycleRecord::csv).collect();
+        files::write(path, format!("{}\n{}\n", CycleRecord::COLUMNS, lines.join("\n")).as_bytes())?;
+    }
     if options.output.plot {
         picture::write(&chart(&output::stem(&options.scene), &solution), &options.output.out, &name)?;
     }
@@ -69,13 +78,14 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let seconds = start.elapsed().as_secs_f64();
     let numbers = json!({
         "points": solution.points,
+        "cycles": solution.cycles,
         "quasi_static": solution.quasi_static,
         "largest_step": solution.largest_step,
         "closure": solution.closure,
         "mean_friction_power": mean_power(&solution.points),
         "largest_squeeze_ratio": largest_squeeze(&solution).map(|point| point.squeeze_ratio),
         "warnings": solution.warnings,
-        "ended_early": solution.ended_early,
+        "ended_early": solution.ended_early.as_ref().map(ToString::to_string),
         "seconds": seconds,
         "version": env!("CARGO_PKG_VERSION"),
     });
@@ -181,6 +191,7 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
         let ratio = point.squeeze_ratio.unwrap_or(0.0);
         lines.push(format!("squeeze    {ratio:.3} of the entrainment at {}", place(point)));
     }
+    lines.extend(history(&solution.cycles, is_line));
     lines.push(format!(
         "\n{:>12} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}",
         if points.iter().any(|point| point.angle.is_some()) { "angle, deg" } else { "time, s" },
@@ -197,6 +208,41 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
     let every = points.len().div_ceil(LINES).max(1);
     lines.extend(points.iter().step_by(every).map(row));
     lines.join("\n")
+}
+
+/// A table of the solved cycles of a history.
+fn history(cycles: &[CycleRecord], is_line: bool) -> Vec<String> {
+    if cycles.is_empty() {
+        return Vec::new();
+    }
+    let volume = if is_line { "mm3/m" } else { "mm3" };
+    let mut lines = vec![format!(
+        "\n{:>12} {:>9} {:>9} {:>9} {:>11} {:>11} {:>10} {:>10}",
+        "cycles",
+        "h min, nm",
+        "on solids",
+        "friction",
+        format!("ball, {volume}"),
+        format!("disc, {volume}"),
+        "depth, nm",
+        "film, nm"
+    )];
+    let row = |cycle: &CycleRecord| {
+        format!(
+            "{:>12.5e} {:>9.1} {:>9.4} {:>9.4} {:>11.4e} {:>11.4e} {:>10.2} {:>10.2}",
+            cycle.cycles,
+            1e9 * cycle.film_minimum,
+            cycle.contact_load_ratio,
+            cycle.friction_coefficient,
+            1e9 * cycle.wear_ball_volume,
+            1e9 * cycle.wear_disc_volume,
+            1e9 * cycle.wear_ball_max.max(cycle.wear_disc_max),
+            1e9 * cycle.tribofilm_ball_max.max(cycle.tribofilm_disc_max)
+        )
+    };
+    let every = cycles.len().div_ceil(LINES).max(1);
+    lines.extend(cycles.iter().step_by(every).map(row));
+    lines
 }
 
 /// A contact in a line.
@@ -285,7 +331,7 @@ fn write_report(
     let mut report = Report::new(&options.scene, "cycle", Status::Converged)?;
     report.warn(solution.warnings.iter().map(ToString::to_string).chain(squeeze));
     if let Some(reason) = &solution.ended_early {
-        report.end_early(reason);
+        report.end_early(&reason.to_string());
     }
     let columns = COLUMNS.map(|(name, key, unit, factor)| {
         let unit = match (unit, is_line) {

@@ -2,7 +2,7 @@
 
 use crate::error::InputError;
 use crate::reynolds::ContactState;
-use crate::sim::cycle::{CyclePoint, CycleSolution, set_row};
+use crate::sim::cycle::{CycleEnd, CyclePoint, CycleRecord, CycleSolution, set_row};
 use crate::sim::error::SimError;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::squeeze_memory::mirror_rows;
@@ -19,6 +19,9 @@ const MOST_ROUNDS: usize = 5;
 /// Relative difference of the last central film from that one cycle before, from which on a further round is solved.
 const CLOSURE: f64 = 1e-4;
 
+/// Most times that a step is halved.
+const MOST_HALVINGS: u32 = 5;
+
 /// The contacts of one round.
 #[derive(Default)]
 struct Round {
@@ -28,7 +31,7 @@ struct Round {
     /// Largest way of the entrained film in a step, in half-widths.
     largest_step: f64,
     /// Reason for an early end.
-    ended_early: Option<String>,
+    ended_early: Option<CycleEnd>,
 }
 
 /// A simulation that follows a cycle.
@@ -51,10 +54,14 @@ impl Drive {
         observer: &mut dyn FnMut(&CyclePoint) -> bool,
     ) -> Result<CycleSolution, SimError> {
         let (start_up, cycle) = self.rows();
-        let mut round = Round::default();
+        let (mut round, mut cycles) = (Round::default(), Vec::new());
+        // Bodies neither wear nor grow a film before the first cycle.
+        self.sim.represented_cycles = 0.0;
         self.pass(&start_up, &mut round, observer)?;
+        let (rounds, represented) = self.table.history.unwrap_or((MOST_ROUNDS, 0.0));
+        self.sim.represented_cycles = represented;
         let mut closure = 0.0;
-        for _ in 0..MOST_ROUNDS {
+        for number in 1..=rounds {
             let before = round.points.last().map(|point| point.film_central);
             if round.ended_early.is_some() {
                 break;
@@ -63,7 +70,9 @@ impl Drive {
             self.pass(&cycle, &mut round, observer)?;
             let last = round.points.last().map(|point| point.film_central);
             closure = before.zip(last).map_or(0.0, |(before, last)| (last / before - 1.0).abs());
-            if closure <= CLOSURE {
+            if self.table.history.is_some() && round.ended_early.is_none() {
+                cycles.push(CycleRecord::of(number as f64 * represented, &round.points, &self.sim));
+            } else if closure <= CLOSURE {
                 break;
             }
         }
@@ -72,6 +81,7 @@ impl Drive {
         Ok(CycleSolution {
             grid: self.sim.grid(),
             points,
+            cycles,
             quasi_static: self.table.quasi_static,
             largest_step,
             closure,
@@ -87,22 +97,33 @@ impl Drive {
         round: &mut Round,
         observer: &mut dyn FnMut(&CyclePoint) -> bool,
     ) -> Result<(), SimError> {
+        let mut before = None;
         for pair in rows.windows(2) {
             let (row, time_step) = (pair[0], pair[1].time - pair[0].time);
-            let point = match self.contact(&row, time_step) {
+            let point = if before.is_none() && self.table.once && self.sim.steps() > 0 {
+                self.steady_contact(&row, time_step)
+            } else {
+                self.contact_after(before.as_ref(), &row, time_step, MOST_HALVINGS)
+            };
+            let point = match point {
                 Err(error @ SimError::NotConverged { .. }) if self.sim.steps() > 0 => {
-                    round.ended_early = Some(format!("at {:.6e} s: {error}", row.time));
+                    round.ended_early = Some(CycleEnd::NotConverged {
+                        time: row.time,
+                        is_at_rest: row.entrainment() == 0.0,
+                        reason: error.to_string(),
+                    });
                     return Ok(());
                 }
                 point => point?,
             };
+            before = Some(row);
             let half_width = self.sim.contact.hertz.half_extents()[0];
             let way = row.entrainment().abs() * time_step / half_width;
             round.largest_step = round.largest_step.max(way);
             round.half_widths.push(half_width);
             round.points.push(point);
             if !observer(&point) {
-                round.ended_early = Some("stopped by the observer".to_owned());
+                round.ended_early = Some(CycleEnd::Stopped);
                 return Ok(());
             }
         }
@@ -136,6 +157,40 @@ impl Drive {
         let start = (0..table.steps).max_by(|a, b| speed(a).total_cmp(&speed(b))).unwrap_or(0);
         let before = cycle[start..].iter().map(|row| CycleRow { time: row.time - length, ..*row });
         (before.collect(), cycle)
+    }
+
+    /// Solves the steady contact at `row`, with which a further cycle begins that runs once.
+    fn steady_contact(&mut self, row: &CycleRow, time_step: f64) -> Result<CyclePoint, SimError> {
+        let squeeze = std::mem::replace(&mut self.sim.surface_motion.squeeze, false);
+        let point = self.contact(row, time_step);
+        self.sim.surface_motion.squeeze = squeeze;
+        self.sim.squeeze_memory.settle();
+        point
+    }
+
+    /// Solves the contact at `row`, which lasts `time_step` \[s\]. Where it does not converge, the step from the row `before`
+    /// is halved, up to `halvings` times, by contacts in which the bodies neither wear nor grow a film.
+    fn contact_after(
+        &mut self,
+        before: Option<&CycleRow>,
+        row: &CycleRow,
+        time_step: f64,
+        halvings: u32,
+    ) -> Result<CyclePoint, SimError> {
+        let point = self.contact(row, time_step);
+        let Some(before) = before.filter(|_| halvings > 0 && self.sim.surface_motion.squeeze) else {
+            return point;
+        };
+        if !matches!(point, Err(SimError::NotConverged { .. })) {
+            return point;
+        }
+        let middle = before.towards(row, 0.5);
+        self.sim.squeeze_memory.halve_step();
+        let represented = std::mem::replace(&mut self.sim.represented_cycles, 0.0);
+        let half = self.contact_after(Some(before), &middle, 0.5 * (row.time - before.time), halvings - 1);
+        self.sim.represented_cycles = represented;
+        half?;
+        self.contact_after(Some(&middle), row, time_step, halvings - 1)
     }
 
     /// Solves the contact at `row`, which lasts `time_step` \[s\].

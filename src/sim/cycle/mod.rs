@@ -4,7 +4,9 @@
 //! flow: where the entrainment changes its sign, the contact is mirrored in x (`mirror`), exact on a box that is
 //! symmetric. Quasi-static cycles solve each row as a steady contact.
 
+mod cycle_record;
 mod drive;
+mod end;
 mod point;
 
 use crate::error::InputError;
@@ -17,6 +19,8 @@ use crate::sim::scene::cycle_table::{CycleRow, CycleTable};
 use crate::sim::scene::{Flash, GridSpec, InletSpec, RoughnessState, Scene};
 use crate::surface::{Fixed, Form};
 
+pub use cycle_record::CycleRecord;
+pub use end::CycleEnd;
 pub use point::CyclePoint;
 
 /// Relative difference of the distances of both edges along x of a box that counts as symmetric.
@@ -28,16 +32,18 @@ const SYMMETRIC: f64 = 1e-9;
 pub struct CycleSolution {
     /// The grid.
     pub grid: Grid,
-    /// Contacts in the order of time.
+    /// Contacts of the last cycle in the order of time.
     pub points: Vec<CyclePoint>,
+    /// The solved cycles of a history; empty for unchanged bodies.
+    pub cycles: Vec<CycleRecord>,
     /// Whether the contacts are steady ones.
     pub quasi_static: bool,
     /// Largest way of the entrained film in a step, in half-widths of the Hertz contact.
     pub largest_step: f64,
     /// Relative difference of the last central film from that one cycle before; zero for a cycle that does not repeat.
     pub closure: f64,
-    /// Reason for an early end: a contact that did not converge.
-    pub ended_early: Option<String>,
+    /// Reason for an early end.
+    pub ended_early: Option<CycleEnd>,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }
@@ -45,8 +51,11 @@ pub struct CycleSolution {
 impl SimBuilder {
     /// Solves the cycle of the scene ([`CycleSpec`](crate::sim::scene::CycleSpec)); `observer` is called after each contact
     /// and may return false to stop. The roughness is at rest in the contact, oil is supplied at the edges of
-    /// the box, wear is left out. A cycle that repeats begins before its first row, at its largest entrainment speed, and
-    /// is solved again until its last film repeats.
+    /// the box. A cycle that repeats begins before its first row, at its largest entrainment speed, and is solved again
+    /// until its last film repeats. With [`repeat`](crate::sim::scene::CycleSpec::repeat) it is the history of the bodies:
+    /// they wear and grow tribofilms from cycle to cycle. Without it wear is left out.
+    ///
+    /// A contact that does not converge is solved again behind contacts at shorter steps from the one before.
     ///
     /// # Errors
     /// A table or a scene that does not fit, with row, field and value; flow along -x in a box that is not symmetric. A
@@ -96,8 +105,10 @@ fn cycle_scene(mut scene: Scene, table: &CycleTable) -> Result<Scene, SimError> 
     if scene.thermal.flash == Flash::Auto {
         scene.thermal.flash = Flash::On;
     }
-    (scene.schedule, scene.track) = (Default::default(), Default::default());
-    (scene.wear, scene.cycle) = (None, None);
+    (scene.schedule, scene.cycle) = (Default::default(), None);
+    if table.history.is_none() {
+        (scene.wear, scene.track) = (None, Default::default());
+    }
     Ok(scene)
 }
 
@@ -121,7 +132,8 @@ fn require_cycle(scene: &Scene, table: &CycleTable) -> Result<(), InputError> {
         (picks_grid, "[grid] must have nx and x (and ny and y): one box for all rows"),
         (
             scene.motion.roughness == RoughnessState::Moving,
-            "the roughness of a cycle is at rest; leave motion.roughness out",
+            "the roughness of a cycle is at rest: a passage needs steps of one cell of the faster surface; leave motion.roughness out, \
+             or leave [cycle] out and solve passages under the conditions of single rows",
         ),
         (
             scene.solver.accuracy.is_some() || scene.solver.estimate,
@@ -131,7 +143,10 @@ fn require_cycle(scene: &Scene, table: &CycleTable) -> Result<(), InputError> {
             !scene.solver.model.is_resolved() && !table.quasi_static,
             "solver.model = \"asperity_inlets\" has no squeeze; add quasi_static = true",
         ),
-        (scene.tribofilm.is_some(), "a tribofilm does not grow in a cycle; leave [tribofilm] out"),
+        (
+            scene.tribofilm.is_some() && table.history.is_none(),
+            "a tribofilm grows from cycle to cycle; add cycle.repeat, or leave [tribofilm] out",
+        ),
         (
             scene.stress.is_some(),
             "stresses below the surface ([stress]) are those of one contact; leave them out",

@@ -48,6 +48,10 @@ pub struct CyclePoint {
     /// Size of the squeeze term: change of the central film in the time in which the entrained film passes a half-width,
     /// over the film. `None` at zero entrainment.
     pub squeeze_ratio: Option<f64>,
+    /// Volume worn off the ball since the start of the history \[m^3\].
+    pub wear_ball_volume: f64,
+    /// Volume worn off the disc \[m^3\].
+    pub wear_disc_volume: f64,
     /// Load residual of the solve.
     pub residual_load: f64,
     /// Iterations of the solver.
@@ -83,6 +87,8 @@ impl CyclePoint {
             friction_power: friction * row.load * (row.speeds[0] - row.speeds[1]).abs(),
             flash_rise: record.flash_rise,
             squeeze_ratio: None,
+            wear_ball_volume: record.wear.ball_volume,
+            wear_disc_volume: record.wear.disc_volume,
             residual_load: record.report.residual.load,
             iterations: record.report.work.iterations,
         }
@@ -91,13 +97,14 @@ impl CyclePoint {
     /// Names of the columns of [`csv`](Self::csv).
     pub const COLUMNS: &'static str = "time_s,angle_rad,load_N,ball_speed_m_per_s,disc_speed_m_per_s,radius_m,bulk_temperature_K,\
          hertz_pressure_Pa,formula_film_m,film_central_m,film_minimum_m,film_mean_central_m,pressure_max_Pa,contact_load_ratio,\
-         friction_coefficient,friction_power_W,flash_rise_K,squeeze_ratio,residual_load,iterations";
+         friction_coefficient,friction_power_W,flash_rise_K,squeeze_ratio,wear_ball_volume_m3,wear_disc_volume_m3,\
+         residual_load,iterations";
 
     /// A line of comma-separated values; unknown ones are empty.
     ///
     /// ```
     /// use stribeck::sim::CyclePoint;
-    /// assert_eq!(CyclePoint::COLUMNS.split(',').count(), 20);
+    /// assert_eq!(CyclePoint::COLUMNS.split(',').count(), 22);
     /// ```
     pub fn csv(&self) -> String {
         let values = [
@@ -119,6 +126,8 @@ impl CyclePoint {
             Some(self.friction_power),
             self.flash_rise,
             self.squeeze_ratio,
+            Some(self.wear_ball_volume),
+            Some(self.wear_disc_volume),
             Some(self.residual_load),
         ];
         let cells = values.map(|value| value.map_or_else(String::new, |value| format!("{value:e}")));

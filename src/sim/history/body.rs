@@ -136,13 +136,17 @@ impl Body {
         Ok(self.ledger()?.volumes(cell_area))
     }
 
-    /// Mirrors an unworn body without a tribofilm in x, on rows of `nx` nodes.
+    /// Mirrors the body in x, on rows of `nx` nodes.
     pub(in crate::sim) fn mirror(&mut self, nx: usize) -> Result<(), InputError> {
-        let mut depths = self.plastic.values().to_vec();
-        for field in [&mut self.initial, &mut self.surface, &mut depths] {
+        let [mut depths, mut worn] = [self.plastic.values(), self.wear.values()].map(<[f64]>::to_vec);
+        for field in [&mut self.initial, &mut self.surface, &mut depths, &mut worn] {
             mirror_rows(field, nx);
         }
         self.plastic = PlasticDepth::from_values(depths)?;
+        self.wear = WearDepth::from_values(worn)?;
+        if let Some(film) = &mut self.film {
+            film.mirror(nx);
+        }
         Ok(())
     }
 

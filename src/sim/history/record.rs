@@ -138,7 +138,9 @@ impl MixedLubricationSim {
             DepthNumbers::of(self.bodies.each_ref().map(field), |values| self.mean_on_track(values))
         };
         let [ball, disc] = self.bodies.each_ref().map(|body| body.volumes(self.contact.grid.cell_area()));
-        let volume = (ball?.plastic + disc?.plastic) / self.contact.grid.contact_length();
+        let length = self.contact.grid.contact_length();
+        let volume = (ball?.plastic + disc?.plastic) / length;
+        let worn_volumes = self.bodies.each_ref().map(|body| body.worn_volume() / length);
         Ok(StepRecord {
             step: self.step,
             time: self.time + time_step,
@@ -156,7 +158,7 @@ impl MixedLubricationSim {
             flash_rise,
             wear: WearNumbers::of(
                 depths(Body::wear)?,
-                self.bodies.each_ref().map(Body::worn_volume),
+                worn_volumes,
                 self.scars(conditions.motion.surface_speeds()),
             ),
             tribofilm: depths(Body::tribofilm)?,

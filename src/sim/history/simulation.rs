@@ -117,8 +117,10 @@ pub struct MixedLubricationSim {
     pub(in crate::sim) backup: [Body; 2],
     /// The contact before the present step.
     pub(in crate::sim) before: ContactState,
-    /// Whether the grid may be a strip: in passages and cycles, which have no wear.
+    /// Whether the grid may be a strip: in passages and cycles.
     pub(in crate::sim) takes_strips: bool,
+    /// Factor of the time of wear and growth: the cycles that a solved one stands for.
+    pub(in crate::sim) represented_cycles: f64,
     /// Warnings so far.
     pub(in crate::sim) warnings: Vec<Warning>,
     /// Interrupt of solves, also in a wider box.
@@ -163,6 +165,7 @@ impl MixedLubricationSim {
             draws: 0,
             before: ContactState::new(&grid),
             takes_strips: false,
+            represented_cycles: 1.0,
             warnings,
             interrupt: None,
             #[cfg(feature = "serde")]

@@ -73,6 +73,22 @@ impl SqueezeMemory {
         self.speed = 0.0;
     }
 
+    /// Makes the newest contact one that has lasted: the next one follows a steady contact.
+    pub(in crate::sim) fn settle(&mut self) {
+        let [newest, oldest] = &mut self.masses;
+        oldest.clone_from(newest);
+        let [newest, oldest] = &mut self.films;
+        oldest.clone_from(newest);
+        let [newest, oldest] = &mut self.is_full;
+        oldest.clone_from(newest);
+        self.steps[1] = self.steps[0];
+    }
+
+    /// Halves the time between the newest contact and the next one.
+    pub(in crate::sim) fn halve_step(&mut self) {
+        self.steps[0] *= 0.5;
+    }
+
     /// Rejects fields that do not fit `grid`.
     #[cfg(feature = "serde")]
     pub(in crate::sim) fn validate(&self, grid: &crate::grid::Grid) -> Result<(), InputError> {

@@ -108,6 +108,6 @@ impl MixedLubricationSim {
             yielding.share(&state.plastic_depth)?;
             buffers.flatten(bodies, &contact_exposure, &yielding.split, time_step)?;
         }
-        buffers.wear_and_grow(bodies, &contact_exposure, laws, time_step)
+        buffers.wear_and_grow(bodies, &contact_exposure, laws, self.represented_cycles * time_step)
     }
 }

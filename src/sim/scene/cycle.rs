@@ -63,9 +63,33 @@ pub struct CycleSpec {
     pub quasi_static: bool,
     /// The table runs once from a steady first contact, as a tooth in mesh; otherwise it repeats.
     pub once: bool,
+    /// Cycles of a history: the bodies wear and grow tribofilms from cycle to cycle. Absent: they do neither.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub repeat: Option<usize>,
+    /// Cycles of a history that are solved, each for the wear and growth of `repeat / solved` cycles; all if absent.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub solved: Option<usize>,
 }
 
 impl CycleSpec {
+    /// The cycles of a history that are solved, and the number of cycles that each stands for.
+    pub(super) fn history(&self) -> Result<Option<(usize, f64)>, InputError> {
+        let Some(repeat) = self.repeat else {
+            return match self.solved {
+                None => Ok(None),
+                Some(solved) => Err(InputError::Conflict {
+                    field: format!("cycle.solved = {solved}"),
+                    reason: "are those of cycle.repeat cycles, which is missing".to_owned(),
+                }),
+            };
+        };
+        InputError::require(repeat >= 1, "cycle.repeat", repeat as f64, "at least 1")?;
+        let solved = self.solved.unwrap_or(repeat);
+        let requirement = "between 1 and cycle.repeat";
+        InputError::require((1..=repeat).contains(&solved), "cycle.solved", solved as f64, requirement)?;
+        Ok(Some((solved, repeat as f64 / solved as f64)))
+    }
+
     /// Times of the rows \[s\], by angles where these are given.
     pub(super) fn times(&self) -> Result<Vec<f64>, InputError> {
         let conflict = |field: &str, reason: &str| {

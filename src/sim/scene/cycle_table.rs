@@ -32,7 +32,7 @@ impl CycleRow {
     }
 
     /// The row a share `s` of the way to the row `to`.
-    fn towards(&self, to: &Self, s: f64) -> Self {
+    pub(in crate::sim) fn towards(&self, to: &Self, s: f64) -> Self {
         let mix = |a: f64, b: f64| a + s * (b - a);
         Self {
             time: mix(self.time, to.time),
@@ -57,6 +57,8 @@ pub(in crate::sim) struct CycleTable {
     pub(in crate::sim) quasi_static: bool,
     /// Whether the cycle runs once.
     pub(in crate::sim) once: bool,
+    /// Solved cycles of a history, and the cycles that each stands for; `None` for unchanged bodies.
+    pub(in crate::sim) history: Option<(usize, f64)>,
 }
 
 impl CycleTable {
@@ -100,7 +102,8 @@ impl CycleTable {
         InputError::require(steps >= FEWEST_STEPS, "cycle.steps", steps as f64, "at least 8")?;
         let turn = spec.period.filter(|_| !spec.angle.is_empty());
         let (quasi_static, once) = (spec.quasi_static, spec.once);
-        let mut table = Self { rows: rows.collect(), turn, steps, quasi_static, once };
+        let history = spec.history()?;
+        let mut table = Self { rows: rows.collect(), turn, steps, quasi_static, once, history };
         table.require_motion()?;
         table.close(spec.period)?;
         Ok(table)
