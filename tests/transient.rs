@@ -93,6 +93,16 @@ fn the_film_that_a_dent_lets_in_runs_ahead_of_it() {
     assert!(largest_under_dent < 0.05 * depth, "{largest_under_dent:e} of {depth:e} is left of the dent");
 }
 
+/// A wave of a surface at half the entrainment speed is pressed flat in the contact, but for the compression of the oil; the
+/// inlet sends a wave of the same period with the fluid, which is twice as long (Greenwood and Morales-Espejel 1994).
+#[test]
+fn wave_of_a_sliding_surface_is_flat_and_its_inlet_wave_moves_with_the_fluid() {
+    let found = Rolling::line(256).unwrap().sliding(0.5, 0.5).unwrap();
+    assert!((found.carried_length - 2.0).abs() < 0.06, "{found:?}");
+    assert!((found.surface - found.stiff_oil).abs() < 0.02, "{found:?}");
+    assert!(found.carried > 5.0 * found.surface && found.carried < 1.0, "{found:?}");
+}
+
 #[test]
 fn long_steps_are_quasi_steady() {
     let mut rolling = Rolling::line(256).unwrap();

@@ -223,6 +223,34 @@ fn passage_prints_means_and_writes_contacts_and_frames() {
 }
 
 #[test]
+fn history_of_a_cycle_prints_and_writes_a_line_per_solved_cycle() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rig.toml");
+    let scene = "form = { kind = \"cylinder\", radius = 10e-3 }\nelastic.equivalent_modulus = 230e9\nload.force = 1e5\n\
+                 motion = { entrainment_speed = 1.0, slide_roll_ratio = 0.2 }\n\
+                 lubricant = { eta0 = 0.02, alpha = 18e-9, roelands_z = 0.6, inlet = \"box_edge\" }\nfriction.eyring_stress = 5e6\n\
+                 grid = { nx = 64, x = [-0.4e-3, 0.4e-3] }\nwear = { exposure = \"contact_clock\", pressure = \"total\" }\n\
+                 cycle = { time = [0.0, 1e-3], load = [1e5, 1e5], steps = 8, repeat = 200, solved = 2 }\n";
+    fs::write(&path, scene).unwrap();
+    let output = stribeck(&["cycle", text(&path), "--json", "--out", text(folder.path())]);
+    assert!(output.status.success(), "{}", error_of(&output));
+    let json = json_of(&output);
+    let cycles = json["cycles"].as_array().unwrap();
+    // Archard's K F s/H of the total load, K/H = 5.45e-8/6 GPa.
+    let expected = |cycles: f64| 5.45e-8 / 6e9 * 1e5 * 0.2 * 1e-3 * cycles;
+    for (cycle, count) in cycles.iter().zip([100.0, 200.0]) {
+        assert_eq!(number(cycle, "cycles"), count);
+        let worn = number(cycle, "wear_disc_volume") / expected(count);
+        assert!((worn - 1.0).abs() < 1e-3, "{worn}");
+    }
+    let table = fs::read_to_string(folder.path().join("rig_cycles.csv")).unwrap();
+    assert!(table.starts_with("cycles,film_minimum_m") && table.lines().count() == 3, "{table}");
+    let printed = stribeck(&["cycle", text(&path), "--force", "--out", text(folder.path())]);
+    let printed = String::from_utf8(printed.stdout).unwrap();
+    assert!(printed.contains("ball, mm3/m") && printed.contains("2.00000e2"), "{printed}");
+}
+
+#[test]
 fn cycle_without_a_table_is_refused() {
     let smooth = common::repository("examples/scenes/line.toml");
     let folder = tempfile::tempdir().unwrap();

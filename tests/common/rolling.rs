@@ -152,6 +152,101 @@ impl Rolling {
         let lowest = last.iter().copied().fold(f64::INFINITY, f64::min);
         Ok(0.5 * (highest - lowest) / amplitude)
     }
+
+    /// Runs a wave of about `wave` half-widths, whose amplitude is a tenth of the central film, through the contact on a
+    /// surface at the speed `ratio` times that of entrainment, one cell of the fluid in a step.
+    #[allow(dead_code, reason = "not every program that shares this file slides")]
+    pub(crate) fn sliding(&mut self, wave: f64, ratio: f64) -> Outcome<SlidingWave> {
+        let (grid, a) = (self.grid, self.half_width);
+        let step_length = ratio * grid.dx();
+        let period = (wave * a / step_length).round();
+        let length = period * step_length;
+        let smooth = self.smooth_gap();
+        let mut passage = Passage::start(self, &smooth, grid.dx() / self.speed)?;
+        passage.carries_waves = true;
+        let central = passage.state.film[self.middle];
+        let amplitude = 0.1 * central;
+        let [start, end] = self.way.map(|x| x * a);
+        let steps = ((end - start + 2.0 * length) / step_length).ceil() as usize;
+        // Fourier coefficients over the last period, at the nodes in the middle of the contact.
+        let nodes: Vec<usize> = (0..grid.len()).filter(|k| grid.x(*k).abs() < 0.5 * a).collect();
+        let mut waves = vec![[0.0; 2]; nodes.len()];
+        for step in 1..=steps + period as usize {
+            let front = start + step_length * step as f64;
+            let height = |x: f64| {
+                let behind = front - x;
+                let ramp = (behind / length).clamp(0.0, 1.0);
+                amplitude * ramp * ramp * (3.0 - 2.0 * ramp) * (2.0 * PI * behind / length).cos()
+            };
+            let gap: Vec<f64> = grid.nodes().zip(&smooth).map(|((x, _), form)| form + height(x)).collect();
+            passage.step(self, &gap, true)?;
+            if step > steps {
+                let (sine, cosine) = (2.0 * PI * step as f64 / period).sin_cos();
+                for (wave, node) in waves.iter_mut().zip(&nodes) {
+                    let film = 2.0 / period * passage.state.film[*node];
+                    *wave = [wave[0] + film * cosine, wave[1] - film * sine];
+                }
+            }
+        }
+        let places: Vec<f64> = nodes.iter().map(|node| grid.x(*node)).collect();
+        let number = 2.0 * PI / length;
+        let fits = (0..=400).map(|k| {
+            let factor = 0.8 + 0.001 * f64::from(k);
+            (factor, two_waves(&places, &waves, [number, factor * ratio * number]))
+        });
+        let best = fits.min_by(|(_, a), (_, b)| a.2.total_cmp(&b.2));
+        let (factor, (surface, carried, _)) = best.ok_or("no fit")?;
+        // (rho h)' = 0 under a wave that slides through stiff oil: h' = -beta h p', with h' = A + 4 p'/(E' k).
+        let pressure = self.pressure;
+        let compressibility = 0.6e-9 / ((1.0 + 1.7e-9 * pressure) * (1.0 + 2.3e-9 * pressure));
+        let ratio_of_stiffness = central * compressibility * MODULUS * number / 4.0;
+        Ok(SlidingWave {
+            carried_length: 1.0 / (factor * ratio),
+            carried: carried / amplitude,
+            surface: surface / amplitude,
+            stiff_oil: ratio_of_stiffness / (1.0 + ratio_of_stiffness),
+        })
+    }
+}
+
+/// Waves of the film in the middle of a contact, one surface of which has a wave and slides.
+#[derive(Debug)]
+#[allow(dead_code, reason = "not every program that shares this file slides")]
+pub(crate) struct SlidingWave {
+    /// Length of the wave that the inlet sends with the fluid, over that of the surface.
+    pub(crate) carried_length: f64,
+    /// Its amplitude over the undeformed one.
+    pub(crate) carried: f64,
+    /// Amplitude of the wave that moves with the surface, over the undeformed one.
+    pub(crate) surface: f64,
+    /// The same in the limit of stiff oil.
+    pub(crate) stiff_oil: f64,
+}
+
+/// Amplitudes of `exp(-i k x)` of both wave numbers in the complex `values` at `places`, by least squares, and the sum of
+/// the squared residuals.
+fn two_waves(places: &[f64], values: &[[f64; 2]], [first, second]: [f64; 2]) -> (f64, f64, f64) {
+    let times = |a: [f64; 2], b: [f64; 2]| [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]];
+    let sum = |number: f64, of: &dyn Fn(usize) -> [f64; 2]| {
+        places.iter().enumerate().fold([0.0; 2], |sum, (k, x)| {
+            let (sine, cosine) = (number * x).sin_cos();
+            let term = times(of(k), [cosine, sine]);
+            [sum[0] + term[0], sum[1] + term[1]]
+        })
+    };
+    let count = places.len() as f64;
+    let overlap = sum(first - second, &|_| [1.0, 0.0]);
+    let [a, b] = [first, second].map(|number| sum(number, &|k| values[k]));
+    let determinant = count * count - overlap[0].powi(2) - overlap[1].powi(2);
+    let solve = |own: [f64; 2], other: [f64; 2], overlap: [f64; 2]| {
+        let shared = times(overlap, other);
+        [0, 1].map(|part| (count * own[part] - shared[part]) / determinant)
+    };
+    let x = solve(a, b, overlap);
+    let y = solve(b, a, [overlap[0], -overlap[1]]);
+    let energy: f64 = values.iter().map(|value| value[0].powi(2) + value[1].powi(2)).sum();
+    let explained = a[0] * x[0] + a[1] * x[1] + b[0] * y[0] + b[1] * y[1];
+    (x[0].hypot(x[1]), y[0].hypot(y[1]), energy - explained)
 }
 
 /// Contacts in equal steps of time, from the steady one on.
