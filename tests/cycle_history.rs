@@ -135,7 +135,7 @@ fn central_film_at_rest_decays_by_the_squeeze_of_a_hertz_contact() {
 /// Steps that are too long for the film that drains are halved; in the end solids carry.
 #[test]
 fn contact_at_rest_carries_on_by_solids_when_its_oil_has_drained() {
-    let solution = solve(stopping(18e-9, 400.0, 80));
+    let solution = solve(stopping(18e-9, 400.0, 40));
     let last = solution.points.last().unwrap();
     assert!(last.contact_load_ratio > 0.5 && last.film_mean_central < 1e-8, "{last:?}");
     assert!(solution.points.iter().all(|point| point.residual_load < 1e-6));
