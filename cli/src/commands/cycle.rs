@@ -1,5 +1,8 @@
 //! `stribeck cycle`: a contact over a cycle of load, speeds and radius.
 
+mod history;
+mod squeeze;
+
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -7,17 +10,16 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use stribeck::Status;
-use stribeck::sim::{CyclePoint, CycleRecord, CycleSolution, MixedLubricationSim, SimError};
+use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, SimError};
 
 use crate::output::{self, Held, Outcome, Output, ReportFile};
 use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
 use crate::report::{self, ErrorOf, Number, Report};
 use crate::{files, interrupt};
+use squeeze::{largest_squeeze, squeeze_warning};
 
 /// Most lines of the printed table.
 const LINES: usize = 25;
-/// Squeeze term from which on a quasi-static cycle is warned of.
-const LARGE_SQUEEZE: f64 = 0.1;
 
 /// The table [cycle] of the scene has the conditions over time or angle. Each contact is a line of `SCENE_cycle.csv`, each solved cycle
 /// of a history (cycle.repeat) one of `SCENE_cycles.csv`.
@@ -64,8 +66,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let lines: Vec<String> = solution.points.iter().map(CyclePoint::csv).collect();
     files::write(&targets[0], format!("{}\n{}\n", CyclePoint::COLUMNS, lines.join("\n")).as_bytes())?;
     if let Some(path) = &cycles {
-        let lines: Vec<String> = solution.cycles.iter().map(CycleRecord::csv).collect();
-        files::write(path, format!("{}\n{}\n", CycleRecord::COLUMNS, lines.join("\n")).as_bytes())?;
+        files::write(path, history::csv(&solution.cycles).as_bytes())?;
     }
     if options.output.plot {
         picture::write(&chart(&output::stem(&options.scene), &solution), &options.output.out, &name)?;
@@ -108,31 +109,6 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         return Ok(Outcome::NotConverged);
     }
     Ok(Outcome::Converged)
-}
-
-/// The contact with the largest squeeze term.
-fn largest_squeeze(solution: &CycleSolution) -> Option<&CyclePoint> {
-    let known = solution.points.iter().filter(|point| point.squeeze_ratio.is_some());
-    known.max_by(|a, b| a.squeeze_ratio.unwrap_or(0.0).total_cmp(&b.squeeze_ratio.unwrap_or(0.0)))
-}
-
-/// The warning of a quasi-static cycle whose films change within the passage of a half-width.
-fn squeeze_warning(solution: &CycleSolution) -> Option<String> {
-    if !solution.quasi_static {
-        return None;
-    }
-    let large =
-        solution.points.iter().filter(|point| point.squeeze_ratio.is_none_or(|ratio| ratio > LARGE_SQUEEZE));
-    let count = large.count();
-    largest_squeeze(solution).filter(|_| count > 0).map(|point| {
-        format!(
-            "cycle.quasi_static: at {count} of {} rows the squeeze term is above {LARGE_SQUEEZE} of the entrainment, up to {:.2} at {}; \
-             without quasi_static the cycle is solved in time",
-            solution.points.len(),
-            point.squeeze_ratio.unwrap_or(0.0),
-            place(point)
-        )
-    })
 }
 
 /// Mean power of friction over the contacts \[W\].
@@ -191,7 +167,7 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
         let ratio = point.squeeze_ratio.unwrap_or(0.0);
         lines.push(format!("squeeze    {ratio:.3} of the entrainment at {}", place(point)));
     }
-    lines.extend(history(&solution.cycles, is_line));
+    lines.extend(history::table(&solution.cycles, is_line));
     lines.push(format!(
         "\n{:>12} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}",
         if points.iter().any(|point| point.angle.is_some()) { "angle, deg" } else { "time, s" },
@@ -208,41 +184,6 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
     let every = points.len().div_ceil(LINES).max(1);
     lines.extend(points.iter().step_by(every).map(row));
     lines.join("\n")
-}
-
-/// A table of the solved cycles of a history.
-fn history(cycles: &[CycleRecord], is_line: bool) -> Vec<String> {
-    if cycles.is_empty() {
-        return Vec::new();
-    }
-    let volume = if is_line { "mm3/m" } else { "mm3" };
-    let mut lines = vec![format!(
-        "\n{:>12} {:>9} {:>9} {:>9} {:>11} {:>11} {:>10} {:>10}",
-        "cycles",
-        "h min, nm",
-        "on solids",
-        "friction",
-        format!("ball, {volume}"),
-        format!("disc, {volume}"),
-        "depth, nm",
-        "film, nm"
-    )];
-    let row = |cycle: &CycleRecord| {
-        format!(
-            "{:>12.5e} {:>9.1} {:>9.4} {:>9.4} {:>11.4e} {:>11.4e} {:>10.2} {:>10.2}",
-            cycle.cycles,
-            1e9 * cycle.film_minimum,
-            cycle.contact_load_ratio,
-            cycle.friction_coefficient,
-            1e9 * cycle.wear_ball_volume,
-            1e9 * cycle.wear_disc_volume,
-            1e9 * cycle.wear_ball_max.max(cycle.wear_disc_max),
-            1e9 * cycle.tribofilm_ball_max.max(cycle.tribofilm_disc_max)
-        )
-    };
-    let every = cycles.len().div_ceil(LINES).max(1);
-    lines.extend(cycles.iter().step_by(every).map(row));
-    lines
 }
 
 /// A contact in a line.
