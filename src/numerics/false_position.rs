@@ -44,16 +44,36 @@ impl FalsePosition {
 mod tests {
     use super::FalsePosition;
 
+    /// `x^9 - 1/2` on 0 to 1.
+    fn value(x: f64) -> f64 {
+        x.powi(9) - 0.5
+    }
+
+    fn bracket() -> FalsePosition {
+        FalsePosition::new([0.0, value(0.0)], [1.0, value(1.0)], None)
+    }
+
     #[test]
-    fn root_of_a_steep_function_is_bracketed_and_found() {
-        let value = |x: f64| x.powi(9) - 0.5;
-        let mut bracket = FalsePosition::new([0.0, value(0.0)], [1.0, value(1.0)], None);
+    fn root_of_a_steep_function_is_found_in_eleven_positions() {
+        let mut bracket = bracket();
+        let mut position = f64::NAN;
+        for _ in 0..11 {
+            position = bracket.next(0.0);
+            bracket.add(position, value(position));
+        }
+        assert!((position - 0.5_f64.powf(1.0 / 9.0)).abs() < 1e-14, "{position}");
+    }
+
+    #[test]
+    fn ends_enclose_the_root_and_halving_narrows_them() {
+        let (mut bracket, root) = (bracket(), 0.5_f64.powf(1.0 / 9.0));
         for _ in 0..15 {
             let position = bracket.next(0.01);
             bracket.add(position, value(position));
             let [low, high] = bracket.ends();
-            assert!(value(low) <= 0.0 && value(high) >= 0.0);
+            assert!(low <= root && root <= high, "{low} to {high}");
         }
-        assert!(value(bracket.next(0.0)).abs() < 1e-12);
+        let [low, high] = bracket.ends();
+        assert!(high - low < 1e-5, "{low} to {high}");
     }
 }
