@@ -35,6 +35,7 @@ impl FalsePosition {
     }
 
     /// Positions of both ends.
+    #[cfg(any(feature = "serde", test))]
     pub(crate) fn ends(&self) -> [f64; 2] {
         [self.low[0], self.high[0]]
     }

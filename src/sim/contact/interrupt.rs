@@ -2,7 +2,8 @@
 //!
 //! Solvers need no support for it: every solver computes a displacement in each iteration, and the deformation model
 //! returns an error when the solve is interrupted. A flag records this, whatever the solver does with the error.
-//! Preparations of large meshes poll the interrupt between their parts.
+//! Preparations of large meshes poll the interrupt between their parts, once scene and laws are valid: an error of the
+//! input comes before the first poll.
 
 use std::fmt;
 use std::sync::Arc;
@@ -30,16 +31,6 @@ impl Interrupt {
         Self(Arc::new(asked))
     }
 
-    /// Polls the interrupt, if any.
-    ///
-    /// # Errors
-    /// An interruption.
-    pub(in crate::sim) fn poll(interrupt: Option<&Self>) -> Result<(), SimError> {
-        match interrupt {
-            Some(interrupt) if (interrupt.0)() => Err(SimError::Interrupted),
-            _ => Ok(()),
-        }
-    }
 }
 
 /// A deformation model that polls the interrupt before each displacement, once per iteration of any solver, and then
@@ -70,7 +61,10 @@ impl Interruptible {
     /// # Errors
     /// An interruption.
     pub(in crate::sim) fn poll(&self) -> Result<(), SimError> {
-        Interrupt::poll(self.interrupt.as_ref())
+        match &self.interrupt {
+            Some(interrupt) if (interrupt.0)() => Err(SimError::Interrupted),
+            _ => Ok(()),
+        }
     }
 
     /// Whether the solve was interrupted.

@@ -152,14 +152,13 @@ impl SimBuilder {
     ) -> Result<PreparedContact, SimError> {
         self.scene.schedule.read_tables()?;
         let custom = std::mem::take(&mut self.custom);
-        Interrupt::poll(custom.interrupt.as_ref())?;
         let mut contact = ContactModel::new(&self.scene, custom)?;
-        contact.deformation.bodies().poll()?;
         if let (Some(plastic), None) = (self.scene.plastic, &self.plasticity) {
             let [ball, disc] = self.scene.hardnesses(plastic.hardness);
             setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
         }
         let laws = self.laws()?;
+        contact.deformation.bodies().poll()?;
         let ball = self.body(0, &contact, &laws)?;
         contact.deformation.bodies().poll()?;
         let bodies = [ball, self.body(1, &contact, &laws)?];
