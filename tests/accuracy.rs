@@ -216,6 +216,7 @@ fn a_coarser_solve_estimates_a_rough_contact() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn the_surface_of_a_seed_is_refined_by_its_fourier_series() {
     let folder = tempfile::tempdir().unwrap();
     let refined = |mut scene: Scene, accuracy| {

@@ -31,6 +31,7 @@ fn solved(scene: &Scene) -> ContactSolution {
 /// crosses cells: measured 3.6e-5, 6.8e-6 and 2.1e-6 for the peak, 2.1e-5, 7.4e-6 and 1.4e-6 for the
 /// approach.
 #[test]
+#[ignore = "slow"]
 fn smooth_ball_converges_to_hertz_at_second_order() {
     for (n, peak_bound) in [(128, 5e-5), (256, 1e-5), (512, 3e-6)] {
         let solution = solved(&smooth(n));
@@ -54,6 +55,7 @@ fn smooth_ball_converges_to_hertz_at_second_order() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn steps_of_a_yielding_rough_contact_do_not_grow_with_the_grid() {
     let reference = solved(&dry(128)).report.work.inner_iterations;
     for n in [128, 256, 512] {
@@ -71,6 +73,7 @@ fn steps_of_a_yielding_rough_contact_do_not_grow_with_the_grid() {
 
 /// Conjugate-gradient steps on the finest grid, to 1e-8; the first contact is the reference.
 #[test]
+#[ignore = "slow"]
 fn steps_of_rough_contacts_do_not_grow_with_the_grid() {
     let mut reference = None;
     for n in [128, 129, 256, 512] {
@@ -141,6 +144,7 @@ fn tolerance_below_rounding_ends_as_stalled() {
 /// The area of a Hertz circle: whole cells along its edge overestimate it by a share of the cell size, which
 /// the edge correction removes.
 #[test]
+#[ignore = "slow"]
 fn corrected_area_converges_to_hertz_faster() {
     // Root mean square over adjacent sizes, as the error of a single rasterized circle is random.
     let errors = |sizes: [usize; 6]| {

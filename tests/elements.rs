@@ -168,6 +168,7 @@ fn journal_has_the_friction_of_petroff_and_of_its_load() {
 /// A flat follower: radius of curvature `r + s + s''`, speeds `w (r + s + s'')` and `w s''`. At the base circle and at the nose the film is
 /// that of Dowson and Toyoda.
 #[test]
+#[ignore = "slow"]
 fn cam_has_the_films_of_dowson_and_toyoda() {
     let scene = Scene::load(path("cam.toml")).unwrap();
     let points = MixedLubricationSim::builder(scene).solve_cycle(&mut |_| true).unwrap().points;

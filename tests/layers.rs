@@ -233,6 +233,7 @@ fn coated_ball_matches_published_peaks() {
 
 /// The contact on extreme layers lies between those of substrate and layer.
 #[test]
+#[ignore = "slow"]
 fn extreme_layers_converge() {
     for ratio in [0.01, 0.1, 10.0, 100.0] {
         for thickness in [1e-7, 1e-5, 1e-4] {
@@ -249,6 +250,7 @@ fn extreme_layers_converge() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn accuracy_selects_box_and_cells_of_a_coated_ball() {
     for ratio in [0.1, 2.0] {
         let mut scene = coated_ball(ratio, 256);

@@ -418,6 +418,7 @@ fn scheduled_run_in_a_process_of_its_own() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn killed_scheduled_runs_end_as_uninterrupted_ones() {
     killed_runs(3, 5, |out, threads| {
         Command::new(std::env::current_exe().unwrap())

@@ -42,6 +42,7 @@ fn check_consistency(scene: &Scene, solution: &ContactSolution) {
 }
 
 #[test]
+#[ignore = "slow"]
 fn smooth_reference_scene_has_the_known_film() {
     // 7.56 nm in the limit of fine meshes, by an independent program.
     let [coarse, fine] = [128, 256].map(|n| solve(&smooth(n)).film.central * 1e9);

@@ -67,6 +67,7 @@ fn the_first_contact_is_that_of_a_single_one() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn a_resumed_history_is_the_uninterrupted_one() {
     let hardening = || {
         let mut scene = scene();

@@ -161,6 +161,7 @@ fn smooth_bodies_stay_smooth() {
 
 /// Ball, disc, wear ratio.
 #[test]
+#[ignore = "slow"]
 fn roughness_and_wear_do_not_depend_on_the_number_of_steps() {
     let [coarse, fine] = [720_u32, 2880].map(|steps| {
         let at_end = |scene| run(scene, u64::from(steps), 7200.0 / f64::from(steps)).1;

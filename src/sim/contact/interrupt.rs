@@ -2,8 +2,8 @@
 //!
 //! Solvers need no support for it: every solver computes a displacement in each iteration, and the deformation model
 //! returns an error when the solve is interrupted. A flag records this, whatever the solver does with the error.
-//! Preparations of large meshes poll the interrupt between their parts, once scene and laws are valid: an error of the
-//! input comes before the first poll.
+//! Preparations of large meshes poll the interrupt between their parts, once laws and bodies are valid: an error of
+//! the input comes before the first poll.
 
 use std::fmt;
 use std::sync::Arc;

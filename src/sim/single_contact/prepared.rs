@@ -158,11 +158,7 @@ impl SimBuilder {
             setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
         }
         let laws = self.laws()?;
-        contact.deformation.bodies().poll()?;
-        let ball = self.body(0, &contact, &laws)?;
-        contact.deformation.bodies().poll()?;
-        let bodies = [ball, self.body(1, &contact, &laws)?];
-        contact.deformation.bodies().poll()?;
+        let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
         asperity_inlets::require_no_lay(&self.scene, &contact.grid, bodies.each_ref().map(Body::initial))?;
         let warnings = self.warnings(replaced, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(replaced, &bodies);
