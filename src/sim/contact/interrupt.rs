@@ -30,7 +30,6 @@ impl Interrupt {
     pub(in crate::sim) fn new(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Arc::new(asked))
     }
-
 }
 
 /// A deformation model that polls the interrupt before each displacement, once per iteration of any solver, and then
