@@ -26,6 +26,8 @@ class ElasticLayer(Numbers):
     __slots__ = ()
     thickness: float
     material: str
+    body: str
+    hardness: float
     modulus: float
     poisson: float
     substrate_modulus: float
@@ -371,6 +373,8 @@ class Cycle(Numbers):
     steps: int
     quasi_static: bool
     once: bool
+    repeat: int
+    solved: int
 
 
 class Stress(Numbers):
@@ -381,6 +385,14 @@ class Stress(Numbers):
     deepest: float
     poisson: float
     yield_strength: float
+
+
+class Bearing(Numbers):
+    """``[bearing]``."""
+
+    __slots__ = ()
+    rotation: float
+    mean_diameter: float
 
 
 class Solver(Numbers):
@@ -413,6 +425,7 @@ UNITS = {
     "form.radii_y": "m",
     "form.angle": "rad",
     "elastic.layer.thickness": "m",
+    "elastic.layer.hardness": "Pa",
     "elastic.layer.modulus": "Pa",
     "elastic.layer.substrate_modulus": "Pa",
     "elastic.tribofilm.modulus": "Pa",
@@ -523,5 +536,7 @@ UNITS = {
     "cycle.bulk_temperature": "K",
     "stress.deepest": "m",
     "stress.yield_strength": "Pa",
+    "bearing.rotation": "rad/s",
+    "bearing.mean_diameter": "m",
     "solver.film_cutoff": "m",
 }
