@@ -90,7 +90,7 @@ pub trait DensityLaw: Debug + Send + Sync {
     /// temperature of the law; `None` (the default) for a law without temperature dependence. It equals
     /// `ratio_at(0, T)` times the `ratio` of the law [`at_temperature`](Self::at_temperature) `T`, which is
     /// relative to ambient pressure at `T`. Films with their own temperature use it
-    /// ([`Lubricant::set_film_temperatures`]).
+    /// ([`Lubricant::set_film_temperatures`](crate::lubricant::Lubricant::set_film_temperatures)).
     fn ratio_at(&self, _pressure: f64, _temperature: f64) -> Option<f64> {
         None
     }

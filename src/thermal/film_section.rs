@@ -62,7 +62,7 @@ pub struct FilmSection<'a> {
     pub velocity: [f64; 3],
 }
 
-/// Result of [`SectionSolver::solve`].
+/// Result of [`SectionSolver::solve`](super::SectionSolver::solve).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FilmHeat {

@@ -212,7 +212,7 @@ impl SimBuilder {
     }
 
     /// Interrupts a solve: `asked` is called once per iteration on the solving thread, and between the parts of the
-    /// preparation of a single contact. When it returns true, the solve ends with [`SimError::Interrupted`] and the
+    /// preparation of a single contact. When it returns true, the solve ends with [`SimError::Interrupted`](crate::sim::SimError::Interrupted) and the
     /// simulation is as before the step.
     ///
     /// ```
