@@ -195,6 +195,7 @@ class LayerStress(Numbers):
     von_mises: Extreme
     bond_shear: Extreme
     bond_tension: Extreme
+    surface_tension: Extreme
 
 
 class Stress(Numbers):

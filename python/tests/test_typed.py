@@ -68,7 +68,7 @@ def test_keys_of_tables_are_those_that_are_explained() -> None:
     apart = {path for path in known if path.startswith("schedule.") or path.endswith((".kind", "viscosity.law"))}
     assert known - apart <= own
     # keys of rigid bearings and flat contacts, which have calls of their own
-    assert own - known == {"given_film.load", "load.mean_pressure", "load.mean_gap", "grid.periodic"}
+    assert own - known == {"given_film.load", "given_film.roughness", "load.mean_pressure", "load.mean_gap", "grid.periodic"}
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "examples" / "scenes").glob("*.toml")), ids=lambda file: file.stem)
