@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use stribeck::sim::scene::{CycleSpec, GridSpec};
-use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, Scene, solve_contact};
+use stribeck::sim::{CyclePoint, MixedLubricationSim, Scene, solve_contact};
+
+use crate::common::runs::cycle as solve;
 
 /// A steel roller on a row of cells, symmetric about its middle.
 fn roller(nx: usize) -> Scene {
@@ -28,12 +30,6 @@ fn reciprocating(mut scene: Scene, stroke: f64, steps: usize) -> Scene {
     cycle.steps = Some(steps);
     scene.cycle = Some(cycle);
     scene
-}
-
-fn solve(scene: Scene) -> CycleSolution {
-    let solution = MixedLubricationSim::builder(scene).solve_cycle(&mut |_| true).unwrap();
-    assert_eq!(solution.ended_early, None);
-    solution
 }
 
 fn refused(change: impl FnOnce(&mut Scene)) -> String {

@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use stribeck::sim::scene::CycleSpec;
-use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, Scene};
+use stribeck::sim::{CyclePoint, MixedLubricationSim, Scene};
+
+use crate::common::runs::cycle as solve;
 
 const LOAD: f64 = 1e5;
 const COEFFICIENT: f64 = 1e-6;
@@ -29,12 +31,6 @@ fn reciprocating(repeat: Option<usize>, solved: Option<usize>, more: &str) -> Sc
     (cycle.steps, cycle.repeat, cycle.solved) = (Some(STEPS), repeat, solved);
     scene.cycle = Some(cycle);
     scene
-}
-
-fn solve(scene: Scene) -> CycleSolution {
-    let solution = MixedLubricationSim::builder(scene).solve_cycle(&mut |_| true).unwrap();
-    assert_eq!(solution.ended_early, None);
-    solution
 }
 
 /// `K/H` times load on solids times sliding distance, summed over the contacts.

@@ -1,25 +1,15 @@
 //! Flash temperature, starvation, scars, wear rates, kappa and means over the track of a history, beside closed forms.
 
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 use std::path::Path;
 
 use stribeck::sim::scene::{CoatedBody, GridSpec, LayerSpec, Load, PlasticSpec, Schedule, StressSpec};
-use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene, StepRecord, solve_contact};
+use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene, solve_contact};
+
+use crate::common::runs::run;
 
 fn scene(name: &str) -> Scene {
     Scene::load(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes").join(name)).unwrap()
-}
-
-fn run(scene: Scene, steps: u64, time_step: f64) -> (MixedLubricationSim, Vec<StepRecord>) {
-    let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
-    let mut records = Vec::new();
-    sim.run(steps, time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        records.push(record.clone());
-        ControlFlow::Continue(())
-    })
-    .unwrap();
-    (sim, records)
 }
 
 fn close(name: &str, value: f64, expected: f64, tolerance: f64) {

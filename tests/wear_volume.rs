@@ -2,15 +2,15 @@
 #![expect(clippy::float_cmp, reason = "a full film wears nothing at all")]
 
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 
 use stribeck::sim::scene::{
     ArchardSpec, Exposure, GridSpec, Load, SolverKind, TrackMotion, WearLawSpec, WearSpec,
 };
-use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene, StepRecord};
+use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene};
 use stribeck::surface::Form;
 use stribeck::wear::WearPressure;
 
+use crate::common::runs::run;
 use crate::common::scene_text::{assert_names, dry as dry_text};
 
 const COEFFICIENT: f64 = 1e-7;
@@ -32,17 +32,6 @@ fn dry(half_widths: f64, cells: usize, exposure: Exposure) -> Scene {
         ArchardSpec { coefficient: COEFFICIENT, film_coefficient: COEFFICIENT, ..ArchardSpec::default() };
     scene.wear = Some(WearSpec::new(WearLawSpec::Archard(law), exposure));
     scene
-}
-
-fn run(scene: Scene, steps: u64, time_step: f64) -> (MixedLubricationSim, Vec<StepRecord>) {
-    let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
-    let mut records = Vec::new();
-    sim.run(steps, time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        records.push(record.clone());
-        ControlFlow::Continue(())
-    })
-    .unwrap();
-    (sim, records)
 }
 
 /// `K F s/H` \[m^3\].

@@ -337,7 +337,7 @@ fn json_has_every_printed_number() {
     assert_printed_numbers_are_in_the_json(&curve, &["wrote", "speed"]);
     let dry = repository("examples/scenes/dry_wear.toml");
     let run = ["run", text(&dry), "--duration", "20", "--time-step", "10"];
-    // Units with a digit, which is no number: the lines are compared by name below.
+    // The digit of a unit is not a result: lines with such units are compared by name below.
     let units = [
         "contact.area",
         "contact.corrected_area ",

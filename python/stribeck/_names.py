@@ -21,7 +21,7 @@ from .solution import Solution
 
 #: Tables whose numbers have units.
 _KINDS = (Solution, Record, Point, GivenFilm, RigidBearing, FlatContact, Expectation, Hertz, Oil, Grid)
-#: Attributes that are no numbers.
+#: Attributes other than numbers.
 _NO_NUMBERS = {"fields", "inputs", "scene", "warnings"}
 #: Largest number of names that an error lists, and how close they are at least.
 _NEAREST, _CLOSENESS = 5, 0.5

@@ -5,6 +5,7 @@ pub(crate) mod dense;
 pub(crate) mod free_volume;
 pub(crate) mod pocket_slider;
 pub(crate) mod rolling;
+pub(crate) mod runs;
 pub(crate) mod scene_text;
 
 use std::path::PathBuf;
