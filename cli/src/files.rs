@@ -5,8 +5,6 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::output::io_words;
-
 type Written = Result<(), Box<dyn Error>>;
 
 /// Checks before a long computation that all `files` can be written. An existing file is refused unless
@@ -48,6 +46,23 @@ pub(crate) fn require_folder(file: &Path) -> Result<(), String> {
 /// The error with the name of its file.
 pub(crate) fn named(file: &Path, error: &io::Error) -> String {
     format!("{}: {}", file.display(), io_words(error))
+}
+
+/// An error of the file system in plain words, with a remedy where there is one.
+pub(crate) fn io_words(error: &io::Error) -> String {
+    let words = match error.kind() {
+        io::ErrorKind::StorageFull => "the disk is full; free some space or write to another disk",
+        io::ErrorKind::QuotaExceeded => "the disk quota is used up; free some space or write to another disk",
+        io::ErrorKind::PermissionDenied => "permission denied; choose a folder that you may write to",
+        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only; write to another one",
+        io::ErrorKind::NotFound => "there is no such file or folder",
+        io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {
+            "a part of this path is a file, not a folder; give a folder"
+        }
+        io::ErrorKind::IsADirectory => "this is a folder, give a file",
+        _ => return error.to_string(),
+    };
+    words.to_owned()
 }
 
 /// Removes the rest of `file` after an error, unless it is a device. The error is reported, not this.

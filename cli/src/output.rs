@@ -12,7 +12,7 @@ use stribeck::sim::{CheckpointError, OilNumbers, Scene, SimError, Warning};
 use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
 
-use crate::files;
+use crate::files::{self, io_words};
 
 /// How a subcommand ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,23 +98,6 @@ pub(crate) fn print(text: &dyn Display) -> io::Result<()> {
         Err(error) => Err(io::Error::other(format!("standard output: {}", io_words(&error)))),
         Ok(()) => Ok(()),
     }
-}
-
-/// An error of the file system in plain words, with a remedy where there is one.
-pub(crate) fn io_words(error: &io::Error) -> String {
-    let words = match error.kind() {
-        io::ErrorKind::StorageFull => "the disk is full; free some space or write to another disk",
-        io::ErrorKind::QuotaExceeded => "the disk quota is used up; free some space or write to another disk",
-        io::ErrorKind::PermissionDenied => "permission denied; choose a folder that you may write to",
-        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only; write to another one",
-        io::ErrorKind::NotFound => "there is no such file or folder",
-        io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {
-            "a part of this path is a file, not a folder; give a folder"
-        }
-        io::ErrorKind::IsADirectory => "this is a folder, give a file",
-        _ => return error.to_string(),
-    };
-    words.to_owned()
 }
 
 /// The message without the number that the system appends to its own.

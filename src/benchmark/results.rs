@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::row::Row;
-use super::{pictures, summary, table};
+use super::table;
 use crate::sim::SimError;
 
 /// The rows of one or several benchmarks, as a table, in words, and in pictures (SVG).
@@ -63,31 +63,6 @@ impl Results {
     /// As of [`from_csv`](Self::from_csv), and a file that cannot be read.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, SimError> {
         table::read(path.as_ref()).map(Self::new)
-    }
-
-    /// Counts of verdicts, work, the order of the contestants, and the runs that failed, with their reasons.
-    pub fn summary(&self) -> String {
-        summary::text(self)
-    }
-
-    /// The verdict of every case, a panel for each contestant and group of cases. Cases with parameters are
-    /// ordered by them: the first two along x, the others along y.
-    pub fn stability_map(&self) -> String {
-        pictures::map::svg(self)
-    }
-
-    /// Errors over seconds and over convolutions: lines over the tolerances of each mesh, and one over the meshes
-    /// at the smallest tolerance. The error of a mesh itself is a broken line. Up to six cases have a panel
-    /// each; the values of more are geometric means over the cases that all contestants solve. Errors are those from
-    /// the limits of a case, or else from its solution on the finest mesh at the smallest tolerance.
-    pub fn work_precision(&self) -> String {
-        pictures::precision::svg(self)
-    }
-
-    /// Share of the runs that a contestant solves with at most a factor of the work of the best one, over this
-    /// factor, for convolutions and seconds (Dolan and More, Math. Program. 91, 2002, 201-213).
-    pub fn performance_profile(&self) -> String {
-        pictures::profile::svg(self)
     }
 
     /// Names of the contestants, in their order.

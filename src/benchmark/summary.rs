@@ -9,17 +9,20 @@ use super::row::{Row, Verdict};
 /// Failed runs that are listed for each contestant.
 const LISTED: usize = 10;
 
-pub(super) fn text(results: &Results) -> String {
-    let mut text = String::new();
-    // Writing to a string cannot fail.
-    let _ = counts(&mut text, results);
-    for contestant in results.contestants() {
-        let _ = costs(&mut text, contestant, results);
+impl Results {
+    /// Counts of verdicts, work, the order of the contestants, and the runs that failed, with their reasons.
+    pub fn summary(&self) -> String {
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let _ = counts(&mut text, self);
+        for contestant in self.contestants() {
+            let _ = costs(&mut text, contestant, self);
+        }
+        let _ = order(&mut text, self, "convolutions", Row::work);
+        let _ = order(&mut text, self, "seconds", |row| row.seconds);
+        let _ = failures(&mut text, self);
+        text
     }
-    let _ = order(&mut text, results, "convolutions", Row::work);
-    let _ = order(&mut text, results, "seconds", |row| row.seconds);
-    let _ = failures(&mut text, results);
-    text
 }
 
 /// Verdicts by contestant and group.

@@ -106,20 +106,6 @@ impl ContactSolver for Auto {
         SolverId::Auto
     }
 
-    fn check(
-        &self,
-        problem: &LubricatedContact<'_>,
-        state: &ContactState,
-        stop: &StoppingRule,
-    ) -> Result<(), ReynoldsError> {
-        // Problems outside the scope of one solver go to the next one.
-        if problem.lubricant.is_none() {
-            self.dry.check(problem, state, stop)
-        } else {
-            check_call(problem, state, stop)
-        }
-    }
-
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -130,7 +116,7 @@ impl ContactSolver for Auto {
             return self.dry.solve(problem, state, stop);
         }
         check_call(problem, state, stop)?;
-        if problem.is_paper() {
+        if problem.is_unified_reynolds() {
             return self.paper(problem, state, stop);
         }
         let mut report = self.lubricated(problem, state, stop)?;

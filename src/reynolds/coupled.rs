@@ -1,36 +1,43 @@
-//! The coupled state: films, balances and active set of given pressures and approach, and their residuals.
+//! The coupled state: films, balances and active set of given pressures and approach.
 //!
-//! Evaluation of pressures `p` and approach `delta`, in this order:
+//! An evaluation of pressures `p` and approach `delta` computes, in this order:
 //!
-//! 1. the elastic film `gap + K p - delta`, by one convolution (`evaluate`);
-//! 2. plastic depths and the film with them (`apply_plastic_depth`);
-//! 3. mobilities, film fractions and the net outflow `F` of every cell (`refresh`);
-//! 4. the active set (`classify`), after which 2 and 3 may be repeated (`update`);
-//! 5. mass, load and complementarity residuals (`residuals`), independent of 4.
+//! 1. the elastic film `gap + K p - delta`, by one convolution;
+//! 2. plastic depths and the film with them;
+//! 3. mobilities, film fractions and the net outflow `F` of every cell;
+//! 4. for a state of unknown origin the active set, and 2 and 3 again;
+//! 5. the residuals (`residuals`), independent of the active set.
 //!
-//! All solvers, and [`Evaluation`](super::Evaluation) for custom ones, measure a state with this module only. `F`
-//! is scaled by entrainment speed and cell size to a film thickness.
-//!
-//! The flow and its balances are in `flow`, node states in `active_set`, the unknowns of a solve in `state`.
-//! Residuals are defined here only (`residuals`).
+//! [`Changed`] names the first quantity that is out of date; the ones before it are kept. All solvers, and
+//! [`Evaluation`](super::Evaluation) for custom ones, measure a state with this module only. `F` is scaled by entrainment
+//! speed and cell size to a film thickness.
 
 use super::active_set::{Fluid, NodeState, Sample, Solid};
 use super::flow::{Discretisation, NearField};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
+use super::unified_reynolds;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::Residuals;
 use crate::reynolds::inner_nodes::interior;
 
-/// Relative distance below which a pressure counts as at the limit in the paper's contact. Steps relaxed by `w`
-/// stop short of the limit by `2^-53 / w`, where further ones are lost to rounding; this tolerance holds for `w`
-/// down to 1.1e-4.
-const LIMIT_ROUNDING: f64 = 1e-12;
-
 /// Cost of a convolution without padding over one on the padded grid, which has four times the points.
 pub(super) const UNPADDED: f64 = 0.25;
+
+/// The first quantity of a state that has changed since its last evaluation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Changed {
+    /// The state is of unknown origin: its active set is determined too.
+    Everything,
+    /// Pressures or approach.
+    Pressures,
+    /// Elastic film, plastic depths or active set.
+    ElasticFilm,
+    /// The film, or the schemes of the flow.
+    Film,
+}
 
 /// Elastic film, mass balances and active set of a [`ContactState`].
 #[derive(Debug, Clone)]
@@ -78,22 +85,34 @@ impl Coupled {
         }
     }
 
-    /// Evaluates a state of unknown origin: films, active set and balances; one convolution.
-    pub(super) fn begin(
+    /// Evaluates `state` from the quantity that has `changed` on, and returns its residuals. One convolution, or none.
+    pub(super) fn evaluate(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-    ) -> Result<(), InputError> {
-        self.recall_limited(problem, state);
-        self.evaluate(problem, state)?;
-        self.classify(problem, state);
-        self.update(problem, state);
-        Ok(())
+        changed: Changed,
+    ) -> Result<Residuals, InputError> {
+        if changed == Changed::Everything {
+            self.recall_limited(problem, state);
+        }
+        if matches!(changed, Changed::Everything | Changed::Pressures) {
+            self.displace(problem, state)?;
+        }
+        if changed != Changed::Film {
+            self.update_film(problem, state);
+        }
+        self.update_flow(problem, state);
+        if changed == Changed::Everything {
+            self.classify(problem, state);
+            self.update_film(problem, state);
+            self.update_flow(problem, state);
+        }
+        Ok(self.residuals(problem, state))
     }
 
     /// Marks the nodes whose fluid is at the limit in `state`: their plastic depths are kept when it is evaluated.
     fn recall_limited(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
-        if problem.lubricant.is_none() || problem.is_paper() {
+        if problem.lubricant.is_none() || problem.is_unified_reynolds() {
             return;
         }
         for k in interior(&self.fluid.grid) {
@@ -103,53 +122,29 @@ impl Coupled {
         }
     }
 
-    /// Films, fluid quantities and balances of `state`; one convolution.
-    pub(super) fn evaluate(
+    /// The elastic film of the pressures: gap plus displacement minus approach; one convolution.
+    pub(super) fn displace(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
     ) -> Result<(), InputError> {
-        self.deform(problem, state)?;
-        self.update(problem, state);
-        Ok(())
-    }
-
-    /// Films without plastic depth of `state`; one convolution.
-    pub(super) fn deform(
-        &mut self,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-    ) -> Result<(), InputError> {
-        if problem.is_paper() {
-            state.fluid_pressure.copy_from_slice(&state.pressure);
+        if problem.is_unified_reynolds() {
+            unified_reynolds::merge_pressures(state);
         }
         problem.deformation.displacement(&state.pressure, &mut self.elastic_film)?;
         self.convolutions += 1.0;
-        // Elastic film: gap plus displacement minus approach.
         for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
             *h += gap - state.approach;
         }
         Ok(())
     }
 
-    /// Plastic depths, fluid quantities and balances from the active set; no convolution.
-    pub(super) fn update(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
-        self.apply_plastic_depth(problem, state);
-        self.refresh(problem, state);
-    }
-
     /// Keeps yielded contact at the contact film, and the film of each node consistent with its plastic depth.
-    pub(super) fn apply_plastic_depth(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
-        let contact_film = problem.contact_film();
-        if problem.is_paper() {
-            // The overlap of nodes at the limit is flattened after the solve and not part of it.
-            for (k, &film) in self.elastic_film.iter().enumerate() {
-                let at_limit = is_at_limit(problem, k, state.pressure[k]);
-                state.plastic_depth[k] = if at_limit { (-film).max(0.0) } else { 0.0 };
-                state.film[k] = film;
-            }
-            return;
+    pub(super) fn update_film(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+        if problem.is_unified_reynolds() {
+            return unified_reynolds::update_film(problem, &self.elastic_film, state);
         }
+        let contact_film = problem.contact_film();
         for (k, side) in self.active_set.iter().enumerate() {
             // At the limit the plastic depth of the fluid is an unknown; that of solids closes the gap.
             state.plastic_depth[k] = if side.fluid == Fluid::AtLimit {
@@ -163,8 +158,8 @@ impl Coupled {
         }
     }
 
-    /// Fluid quantities and balances from the present films and pressures.
-    pub(super) fn refresh(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+    /// Fluid quantities and balances of the films and pressures of `state`.
+    fn update_flow(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let Some(lubricant) = problem.lubricant else {
             state.mass.fill(0.0);
             state.theta.fill(1.0);
@@ -213,99 +208,21 @@ impl Coupled {
                 lubricated,
             };
             self.active_set[k] = sample.classify(self.active_set[k]);
-            if problem.is_paper() {
+            if problem.is_unified_reynolds() {
+                // Its solids carry no pressure of their own.
                 self.active_set[k].solid = Solid::Open;
             }
         }
     }
 
-    /// Residuals of the evaluated state from pressures and films only, independent of the active set.
-    pub(super) fn residuals(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> Residuals {
-        let grid = self.fluid.grid;
-        let (half_x, half_y) = problem.reference_half_widths;
-        let contact_film = problem.contact_film();
-        let load: f64 = state.pressure.iter().sum::<f64>() * grid.cell_area();
-        let film_scale = self.film_scale(problem, state);
-        let previous = problem.squeeze.map(|s| s.previous_mass);
-        let (mut mass, mut build_up, mut gap_error) = (0.0, 0.0, 0.0);
-        for (k, side) in self.active_set.iter().enumerate() {
-            // Mass: imbalance of the cell, or accumulation in a cavitated cell.
-            let (p, fluid_p, film) = (state.pressure[k], state.fluid_pressure[k], state.film[k]);
-            if problem.lubricant.is_some() && side.fluid != Fluid::Boundary {
-                if problem.is_paper() && is_at_limit(problem, k, p) {
-                    // Clipped at the limit: the fluid pressure would be higher.
-                    mass += self.balance[k].max(0.0);
-                } else if self.fluid.conserves_mass() {
-                    mass += self.fluid.imbalance(k, previous).abs();
-                } else if fluid_p > 0.0 {
-                    mass += self.balance[k].abs();
-                } else {
-                    build_up += (-self.balance[k]).max(0.0);
-                }
-            }
-            if problem.is_paper() {
-                continue;
-            }
-            // Complementarity: gap error in solid contact, penetration elsewhere.
-            let touches = p > fluid_p;
-            gap_error += if touches { (film - contact_film).abs() } else { (contact_film - film).max(0.0) };
-        }
-        // Scale by the flux of the mean film and by its volume in the contact.
-        let per_flux = grid.dy() / self.flux_scale(problem, film_scale * 2.0 * half_y);
-        let per_area = grid.cell_area() / (film_scale * std::f64::consts::PI * half_x * half_y);
-        Residuals {
-            mass: mass * per_flux,
-            load: problem.box_load().map_or(0.0, |wanted| (load - wanted).abs() / wanted),
-            complementarity: (build_up * per_flux).max(gap_error * per_area),
-        }
-    }
-
-    /// Flux over speed \[m^2\] that scales mass residuals: that of the mean film through the contact width,
-    /// `through_contact`, or the inflow of the box if that is smaller and there is no squeeze.
-    fn flux_scale(&self, problem: &LubricatedContact<'_>, through_contact: f64) -> f64 {
-        if problem.lubricant.is_none() || problem.squeeze.is_some() {
-            return through_contact;
-        }
-        let inflow = self.fluid.edge_flow().0 / (self.fluid.rate() * self.fluid.grid.dx());
-        if inflow > 0.0 { through_contact.min(inflow) } else { through_contact }
-    }
-
-    /// Pressure-weighted mean film, or mean elastic displacement without lubricant.
-    fn film_scale(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> f64 {
-        let (mut sum, mut weight) = (0.0, 0.0);
-        for (k, &p) in state.pressure.iter().enumerate() {
-            let length = if problem.lubricant.is_some() {
-                state.mass[k].max(problem.contact_film())
-            } else {
-                self.elastic_film[k] - problem.gap[k] + state.approach
-            };
-            sum += p * length;
-            weight += p;
-        }
-        if weight > 0.0 && sum > 0.0 { sum / weight } else { f64::MIN_POSITIVE }
-    }
-
-    /// Sets the contact flags of the state; in the paper's contact also the division into fluid and solid pressure.
+    /// Sets the contact flags of the state; in the unified Reynolds model also its division into fluid and solid
+    /// pressure.
     pub(super) fn mark_contact(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
-        if problem.is_paper() {
-            for (k, flag) in state.in_contact.iter_mut().enumerate() {
-                *flag = state.pressure[k] > 0.0 && state.film[k] < problem.contact_film();
-                state.fluid_pressure[k] = if *flag { 0.0 } else { state.pressure[k] };
-            }
-            return;
+        if problem.is_unified_reynolds() {
+            return unified_reynolds::mark_contact(problem, state);
         }
         for (k, flag) in state.in_contact.iter_mut().enumerate() {
             *flag = state.pressure[k] > state.fluid_pressure[k] && self.active_set[k].is_contact();
         }
     }
-}
-
-/// Whether pressure `p` is at the limit of node `k` within [`LIMIT_ROUNDING`].
-fn is_at_limit(problem: &LubricatedContact<'_>, k: usize, p: f64) -> bool {
-    problem.pressure_limit.is_some_and(|limit| reaches_limit(p, limit[k]))
-}
-
-/// Whether pressure `p` is at `limit` within rounding.
-pub(crate) fn reaches_limit(p: f64, limit: f64) -> bool {
-    p >= limit * (1.0 - LIMIT_ROUNDING)
 }

@@ -4,7 +4,7 @@
 //! `ContactState`. As a start of a lubricated solve the bodies are moved apart by the contact film. If the expected
 //! film exceeds twice the mean dry gap, they are moved apart by that film, with all pressure in the fluid.
 
-use super::coupled::Coupled;
+use super::coupled::{Changed, Coupled};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule};
@@ -194,9 +194,8 @@ impl ContactSolver for Dry {
         let tolerance = stop.tolerance * share.min(1.0);
         let outcome = start.solve(problem, state, tolerance, stop.max_iterations)?;
         coupled.configure(problem);
-        coupled.begin(problem, state)?;
+        let residuals = coupled.evaluate(problem, state, Changed::Everything)?;
         coupled.mark_contact(problem, state);
-        let residuals = coupled.residuals(problem, state);
         let status = if !residuals.is_finite() {
             Status::Diverged
         } else if outcome.converged && residuals.max() <= stop.tolerance {

@@ -1,6 +1,6 @@
 //! Evaluation of a state, for custom solvers.
 
-use super::coupled::Coupled;
+use super::coupled::{Changed, Coupled};
 use super::flow::{FilmFlows, FlowBalance};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
@@ -90,7 +90,7 @@ impl Evaluation {
     ) -> Result<bool, ReynoldsError> {
         self.prepare(problem, state)?;
         let Some(lubricant) = problem.lubricant else { return Ok(false) };
-        let pressure = if problem.is_paper() { &state.pressure } else { &state.fluid_pressure };
+        let pressure = if problem.is_unified_reynolds() { &state.pressure } else { &state.fluid_pressure };
         let fluid = &mut self.coupled.fluid;
         fluid.configure(problem);
         fluid.update(lubricant, pressure, &state.film, problem.squeeze.map(|s| s.previous_mass));
@@ -125,8 +125,7 @@ impl Evaluation {
     ) -> Result<Residuals, ReynoldsError> {
         self.prepare(problem, state)?;
         self.coupled.configure(problem);
-        self.coupled.begin(problem, state)?;
-        let residuals = self.coupled.residuals(problem, state);
+        let residuals = self.coupled.evaluate(problem, state, Changed::Everything)?;
         self.coupled.mark_contact(problem, state);
         Ok(residuals)
     }

@@ -30,9 +30,11 @@ mod journal;
 mod multigrid;
 mod newton_krylov;
 mod problem;
+mod residuals;
 mod semi_system;
 mod squeeze;
 mod state;
+mod unified_reynolds;
 mod validation;
 
 use std::fmt::Debug;
@@ -40,7 +42,6 @@ use std::fmt::Debug;
 pub use asperity_inlets::AsperityInlets;
 pub use auto::Auto;
 pub use carried_waves::CarriedWaves;
-pub(crate) use coupled::reaches_limit;
 pub use dry::Dry;
 pub use evaluation::Evaluation;
 pub(crate) use flow::require_spin;
@@ -57,6 +58,7 @@ pub use semi_system::SemiSystem;
 pub use squeeze::{EdgePressure, Squeeze};
 pub use state::ContactState;
 use thiserror::Error;
+pub(crate) use unified_reynolds::reaches_limit;
 pub(crate) use validation::{LEAST_SPEED, SPEED_REQUIREMENT, require_speed};
 
 use crate::error::InputError;

@@ -218,8 +218,8 @@ impl LubricatedContact<'_> {
         self.pressure_limit.map_or(f64::INFINITY, |limit| limit[k])
     }
 
-    /// Whether the contact is that of the paper.
-    pub(super) fn is_paper(&self) -> bool {
+    /// Whether the contact is that of the unified Reynolds model.
+    pub(super) fn is_unified_reynolds(&self) -> bool {
         self.contact == ContactDefinition::UnifiedReynolds && self.lubricant.is_some()
     }
 

@@ -7,8 +7,8 @@ use std::time::Instant;
 
 use stribeck::sim::{MixedLubricationSim, Observer, RunEnd, RunFolder, SimError, StepRecord};
 
+use crate::case_run::Run;
 use crate::options::Options;
-use crate::plan::Run;
 use crate::statements::{History, PARTS, bearing_heights, film_profile};
 
 /// Why a history ended early.

@@ -12,6 +12,7 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
+mod case_run;
 mod cases;
 #[path = "../../examples/chart/mod.rs"]
 mod chart;

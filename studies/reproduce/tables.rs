@@ -4,10 +4,10 @@
 use std::fmt::Write as _;
 use std::fs;
 
+use crate::case_run::Run;
 use crate::cases::Case;
 use crate::history;
 use crate::options::Options;
-use crate::plan::Run;
 use crate::statements::{PARTS, Pair, STATEMENTS, Statement, Value, share};
 
 /// A variant and its pairs that are complete, by seed.

@@ -6,7 +6,7 @@
 use crate::error::Error;
 use crate::source::{Source, shortened};
 use crate::surface::Surface;
-use crate::text::parse_height;
+use crate::text::number::parse_height;
 use crate::unit::LengthUnit;
 
 /// End of a record.

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::number::{Kind, NumberType};
 use crate::source::{Source, decode_text, shortened, unknown_keys};
 use crate::surface::Surface;
-use crate::text::parse_height;
+use crate::text::number::parse_height;
 use crate::unit::LengthUnit;
 
 /// First bytes of each version.

@@ -5,6 +5,7 @@ mod disc;
 mod element;
 mod machine;
 mod oil;
+mod quantity;
 
 use std::error::Error;
 use std::fmt::Write as _;

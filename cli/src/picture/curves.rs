@@ -5,8 +5,7 @@ use plotters::prelude::*;
 use stribeck::metrics::height_histogram;
 use stribeck::surface::Heights;
 
-use super::page::note;
-use super::{BLUE, Drawn, GREEN, TEXT_SIZE, VERMILION, extremes, text, tick};
+use super::{BLUE, Drawn, GREEN, TEXT_SIZE, VERMILION, extremes, note, text, tick};
 use crate::surface_numbers::Numbers;
 
 /// Most points of a curve.

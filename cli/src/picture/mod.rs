@@ -126,3 +126,12 @@ fn tick(range: &Range<f64>) -> impl Fn(&f64) -> String + use<> {
     let powers = largest >= 1e6 || width < 1e-4;
     move |value| if powers { format!("{value:.1e}") } else { format!("{value:.decimals$}") }
 }
+
+/// Words in place of a panel.
+fn note<B: DrawingBackend>(area: &DrawingArea<B, Shift>, words: &str) -> Drawn
+where
+    B::ErrorType: 'static,
+{
+    area.draw(&Text::new(words.to_owned(), (60, 60), text(TEXT_SIZE)))?;
+    Ok(())
+}

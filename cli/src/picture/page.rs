@@ -10,7 +10,9 @@ use stribeck::surface::Heights;
 use stribeck::{Boundary, Grid};
 
 use super::curves::{draw_bearing, draw_histogram, draw_profile};
-use super::{BLUE, Drawn, GREEN, Picture, TEXT_SIZE, TITLE_SIZE, VERMILION, colour, extremes, text, tick};
+use super::{
+    BLUE, Drawn, GREEN, Picture, TEXT_SIZE, TITLE_SIZE, VERMILION, colour, extremes, note, text, tick,
+};
 use crate::surface_numbers::Numbers;
 
 const SIZE: (u32, u32) = (1600, 900);
@@ -288,13 +290,4 @@ fn spectra(surface: &Heights, grid: &Grid) -> Option<Vec<SpectrumLine>> {
 fn positive_points(spectrum: &Spectrum, density: impl Fn(f64, f64) -> f64) -> Vec<(f64, f64)> {
     let points = spectrum.wavenumber.iter().zip(&spectrum.density);
     points.map(|(&q, &c)| (q, density(q, c))).filter(|&(_, c)| c > 0.0).collect()
-}
-
-/// Words in place of a panel.
-pub(super) fn note<B: DrawingBackend>(area: &DrawingArea<B, Shift>, words: &str) -> Drawn
-where
-    B::ErrorType: 'static,
-{
-    area.draw(&Text::new(words.to_owned(), (60, 60), text(TEXT_SIZE)))?;
-    Ok(())
 }

@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::law::{Boxed, GrowthLaw};
-use super::picture;
 use crate::tribochem::{FittedConstant, MeasuredFilm, fit_growth_law_to, thicknesses};
 
 /// The fit of a law.
@@ -133,10 +132,5 @@ impl GrowthComparison {
             );
         }
         text
-    }
-
-    /// Measured and fitted films over time, as SVG.
-    pub fn svg(&self) -> String {
-        picture::svg(self)
     }
 }

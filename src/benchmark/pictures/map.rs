@@ -152,8 +152,16 @@ fn short(value: f64) -> String {
     }
 }
 
+impl Results {
+    /// The verdict of every case, a panel for each contestant and group of cases. Cases with parameters are
+    /// ordered by them: the first two along x, the others along y.
+    pub fn stability_map(&self) -> String {
+        svg(self)
+    }
+}
+
 /// The map of all rows.
-pub(in crate::benchmark) fn svg(results: &Results) -> String {
+fn svg(results: &Results) -> String {
     let mut panels = Vec::new();
     let key = |row: &Row| (row.contestant.clone(), row.group().to_owned(), row.tolerance.to_bits());
     for panel in distinct(results.rows().iter().map(key)) {

@@ -1,9 +1,9 @@
 //! Pictures of results, as SVG.
 
 mod axes;
-pub(super) mod map;
-pub(super) mod precision;
-pub(super) mod profile;
+mod map;
+mod precision;
+mod profile;
 mod svg;
 
 pub(super) use axes::{Axes, Line};

@@ -12,8 +12,18 @@ const PANEL: (f64, f64) = (480.0, 340.0);
 /// One point: seconds, convolutions and error.
 type Point = [f64; 3];
 
+impl Results {
+    /// Errors over seconds and over convolutions: lines over the tolerances of each mesh, and one over the meshes
+    /// at the smallest tolerance. The error of a mesh itself is a broken line. Up to six cases have a panel
+    /// each; the values of more are geometric means over the cases that all contestants solve. Errors are those from
+    /// the limits of a case, or else from its solution on the finest mesh at the smallest tolerance.
+    pub fn work_precision(&self) -> String {
+        svg(self)
+    }
+}
+
 /// Charts of errors over seconds and over convolutions.
-pub(in crate::benchmark) fn svg(results: &Results) -> String {
+fn svg(results: &Results) -> String {
     let contestants = results.contestants();
     let cases = distinct(results.rows().iter().map(|row| row.case.as_str()));
     let groups: Vec<(String, Vec<&str>)> = if cases.len() <= MOST_PANELS {

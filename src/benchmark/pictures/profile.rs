@@ -13,8 +13,16 @@ type Cost = fn(&Row) -> f64;
 
 const PANEL: (f64, f64) = (480.0, 380.0);
 
+impl Results {
+    /// Share of the runs that a contestant solves with at most a factor of the work of the best one, over this
+    /// factor, for convolutions and seconds (Dolan and More, Math. Program. 91, 2002, 201-213).
+    pub fn performance_profile(&self) -> String {
+        svg(self)
+    }
+}
+
 /// Profiles of convolutions and of seconds.
-pub(in crate::benchmark) fn svg(results: &Results) -> String {
+fn svg(results: &Results) -> String {
     let contestants = results.contestants();
     let head = legend_height(contestants.len());
     let mut svg = Svg::new(2.0 * PANEL.0, head + PANEL.1);

@@ -27,10 +27,10 @@ pub(super) use hierarchy::coarser;
 use progress::Progress;
 pub(super) use transfer::Transfer;
 
-use super::coupled::Coupled;
+use super::coupled::{Changed, Coupled};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
+use super::{ContactSolver, ReynoldsError, StoppingRule};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
@@ -45,6 +45,8 @@ const SETTLED: u64 = 3;
 const EXPECTED_OVER_CONTACT: f64 = 2.0;
 /// Smallest number of nodes along an axis for which the solver is selected.
 const SMALLEST_GRID: usize = 32;
+/// Reason for problems without lubricant.
+const NO_LUBRICANT: &str = "the problem has no lubricant";
 /// Reason to reject a deformation model without coarser grids.
 const ONE_GRID: &str = "the deformation model lives on one grid alone";
 
@@ -146,31 +148,6 @@ impl Multigrid {
             && expects_full_film(problem, EXPECTED_OVER_CONTACT)
     }
 
-    /// Rejects problems that no hierarchy of grids can solve; returns the lubricant.
-    fn checked<'a>(
-        &self,
-        problem: &LubricatedContact<'a>,
-        state: &ContactState,
-        stop: &StoppingRule,
-    ) -> Result<&'a Lubricant, ReynoldsError> {
-        check_call(problem, state, stop)?;
-        if problem.grid().ny() == 1 {
-            return Err(self.wrong_solver("a line contact has no second axis to coarsen"));
-        }
-        if problem.grid().is_strip() {
-            return Err(self.wrong_solver("its grids have edges at their sides; take another solver"));
-        }
-        if problem.spin_radius.is_some() {
-            return Err(self.wrong_solver(
-                "its line relaxation along x does not cover entrainment along y, which spin causes",
-            ));
-        }
-        if problem.edge_pressure.is_some() {
-            return Err(self.wrong_solver("its grids have ambient pressure at the edge of the box: take another solver, a wider box or lubricant.inlet = \"box_edge\""));
-        }
-        problem.lubricant.ok_or_else(|| self.wrong_solver("the problem has no lubricant"))
-    }
-
     /// The error for a problem outside the scope of this solver.
     fn wrong_solver(&self, reason: &'static str) -> ReynoldsError {
         ReynoldsError::WrongSolver { solver: self.id(), reason }
@@ -208,14 +185,24 @@ impl ContactSolver for Multigrid {
         SolverId::Multigrid
     }
 
-    fn check(
-        &self,
-        problem: &LubricatedContact<'_>,
-        state: &ContactState,
-        stop: &StoppingRule,
-    ) -> Result<(), ReynoldsError> {
-        self.checked(problem, state, stop)?;
-        if Hierarchy::has_bodies(&*problem.deformation) { Ok(()) } else { Err(self.wrong_solver(ONE_GRID)) }
+    fn unsupported(&self, problem: &LubricatedContact<'_>) -> Option<&'static str> {
+        let grid = problem.grid();
+        [
+            (grid.ny() == 1, "a line contact has no second axis to coarsen"),
+            (grid.is_strip(), "its grids have edges at their sides; take another solver"),
+            (
+                problem.spin_radius.is_some(),
+                "its line relaxation along x does not cover entrainment along y, which spin causes",
+            ),
+            (
+                problem.edge_pressure.is_some(),
+                "its grids have ambient pressure at the edge of the box: take another solver, a wider box or lubricant.inlet = \"box_edge\"",
+            ),
+            (problem.lubricant.is_none(), NO_LUBRICANT),
+            (!Hierarchy::has_bodies(&*problem.deformation), ONE_GRID),
+        ]
+        .into_iter()
+        .find_map(|(applies, reason)| applies.then_some(reason))
     }
 
     fn solve(
@@ -224,7 +211,8 @@ impl ContactSolver for Multigrid {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        let lubricant = self.checked(problem, state, stop)?;
+        self.check(problem, state, stop)?;
+        let Some(lubricant) = problem.lubricant else { return Err(self.wrong_solver(NO_LUBRICANT)) };
         let (solver, grid) = (self.id(), problem.grid());
         let workspace = self.workspace(problem, grid)?;
         let mut work = Work::default();
@@ -255,8 +243,7 @@ impl Workspace {
         let mut progress = Progress::default();
         for cycle in 0..=stop.max_iterations {
             // residuals of the full problem
-            self.evaluate_finest(problem, lubricant, state)?;
-            let residuals = self.coupled.residuals(problem, state);
+            let residuals = self.evaluate_finest(problem, lubricant, state)?;
             self.history.push(residuals);
             if !residuals.is_finite() {
                 status = Status::Diverged;
@@ -297,7 +284,7 @@ impl Workspace {
         }
         if best.is_finite() {
             state.clone_from(&self.best);
-            self.coupled.evaluate(problem, state)?;
+            self.coupled.evaluate(problem, state, Changed::Pressures)?;
         }
         let is_coarse = status == Status::Stalled && touches_a_thick_film(problem, state);
         Ok((if is_coarse { Status::MeshTooCoarse } else { status }, best))
@@ -321,21 +308,21 @@ impl Workspace {
         }
     }
 
-    /// Copies the pressure of the finest grid to `state`, evaluates it, and copies the film back.
+    /// Copies the pressure of the finest grid to `state`, evaluates it, and copies the film back; returns its residuals.
     fn evaluate_finest(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         lubricant: &Lubricant,
         state: &mut ContactState,
-    ) -> Result<(), ReynoldsError> {
+    ) -> Result<Residuals, ReynoldsError> {
         state.approach = self.hierarchy.approach;
         let finest = self.hierarchy.finest_mut();
         state.pressure.copy_from_slice(&finest.pressure);
         state.fluid_pressure.copy_from_slice(&finest.pressure);
-        self.coupled.evaluate(problem, state)?;
+        let residuals = self.coupled.evaluate(problem, state, Changed::Pressures)?;
         finest.film.copy_from_slice(&self.coupled.elastic_film);
         finest.update_flow(lubricant);
-        Ok(())
+        Ok(residuals)
     }
 }
 

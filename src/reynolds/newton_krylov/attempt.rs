@@ -56,7 +56,7 @@ impl Workspace {
             }
             // The last attempt may have had another contact film.
             self.newton.coupled.fluid.configure(problem);
-            self.newton.record.best.state.restore(&mut self.newton.coupled, problem, state);
+            self.newton.record.best.state.restore(&mut self.newton.coupled, problem, state)?;
         }
         Ok((status, best))
     }

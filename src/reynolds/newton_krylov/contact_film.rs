@@ -5,8 +5,8 @@ use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
-/// Clamps the films of contact nodes to the contact film, which they have at a solution, and evaluates the flow
-/// through them.
+/// Sets the films from elastic films and active set, clamps those of contact nodes to the contact film, which they have
+/// at a solution, and evaluates the flow through them.
 ///
 /// The linearization error leaves these films some nanometers off. The gap rows correct that; but mobilities go
 /// with the cube of the film, and flows through the films as they are would drain the isolated regions whose
@@ -17,6 +17,7 @@ pub(super) fn clamp_film_to_contact(
     state: &mut ContactState,
 ) {
     let Some(lubricant) = problem.lubricant else { return };
+    coupled.update_film(problem, state);
     let contact_film = problem.contact_film();
     for (film, side) in state.film.iter_mut().zip(&coupled.active_set) {
         if side.solid == Solid::Contact {

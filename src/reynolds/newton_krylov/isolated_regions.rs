@@ -60,7 +60,6 @@ impl IsolatedRegions {
             let [predicted_pressure, predicted_film] = prediction.pressure_and_film(k);
             *film = predicted_film + near.own * (pressure - predicted_pressure);
         }
-        coupled.apply_plastic_depth(problem, state);
         clamp_film_to_contact(coupled, problem, state);
         // A window around each node that holds much of the residual and is not in one yet.
         let previous = problem.squeeze.map(|squeeze| squeeze.previous_mass);

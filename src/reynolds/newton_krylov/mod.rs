@@ -64,7 +64,7 @@ use super::coupled::Coupled;
 use super::dry::DryStart;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
+use super::{ContactSolver, ReynoldsError, StoppingRule};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::GridLu;
@@ -154,18 +154,9 @@ impl ContactSolver for NewtonKrylov {
         SolverId::NewtonKrylov
     }
 
-    fn check(
-        &self,
-        problem: &LubricatedContact<'_>,
-        state: &ContactState,
-        stop: &StoppingRule,
-    ) -> Result<(), ReynoldsError> {
-        check_call(problem, state, stop)?;
-        if problem.is_paper() {
-            let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
-            return Err(ReynoldsError::WrongSolver { solver: self.id(), reason });
-        }
-        Ok(())
+    fn unsupported(&self, problem: &LubricatedContact<'_>) -> Option<&'static str> {
+        let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
+        problem.is_unified_reynolds().then_some(reason)
     }
 
     fn solve(

@@ -8,7 +8,7 @@ use super::prediction::Prediction;
 use super::record::Record;
 use super::snapshot::Snapshot;
 use crate::report::{Residuals, Status};
-use crate::reynolds::coupled::Coupled;
+use crate::reynolds::coupled::{Changed, Coupled};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
@@ -40,8 +40,7 @@ impl Newton {
         state: &mut ContactState,
     ) -> Result<Residuals, ReynoldsError> {
         self.coupled.configure(problem);
-        self.coupled.begin(problem, state)?;
-        self.residuals = self.coupled.residuals(problem, state);
+        self.residuals = self.coupled.evaluate(problem, state, Changed::Everything)?;
         Ok(self.residuals)
     }
 
@@ -62,8 +61,7 @@ impl Newton {
             // End of the homotopy: cavitation as in the problem, and the flow evaluated anew.
             if globalization.restore_cavitation(problem, self.residuals.max()) {
                 self.coupled.fluid.configure(problem);
-                self.coupled.refresh(problem, state);
-                self.residuals = self.coupled.residuals(problem, state);
+                self.residuals = self.coupled.evaluate(problem, state, Changed::Film)?;
             }
             // Check convergence; residuals on the way of the homotopy are those of other equations.
             self.record.history.push(self.residuals);
@@ -86,7 +84,6 @@ impl Newton {
             let control = globalization.begin_step(problem, self.residuals.max());
             if control.is_homotopy {
                 self.coupled.fluid.configure(problem);
-                self.coupled.apply_plastic_depth(problem, state);
             }
             self.coupled.fluid.set_pseudo_transient(control.pseudo_transient);
             // Linearize with films clamped to contact, and solve.
@@ -112,11 +109,10 @@ impl Newton {
         let mut error = 0.0;
         for length in control.step_lengths() {
             if length < 1.0 {
-                self.start.restore(&mut self.coupled, problem, state);
+                self.start.restore(&mut self.coupled, problem, state)?;
                 clamp_film_to_contact(&mut self.coupled, problem, state);
             }
             error = self.advance(problem, state, length * whole, length * control.step_bound)?;
-            self.residuals = self.coupled.residuals(problem, state);
             if self.residuals.max() <= control.acceptable {
                 break;
             }
@@ -132,20 +128,20 @@ impl Newton {
         share: f64,
         step_bound: f64,
     ) -> Result<f64, ReynoldsError> {
-        let Self { coupled, system, elimination, start, .. } = self;
+        let Self { coupled, system, elimination, start, residuals, .. } = self;
         // Predict the state, and eliminate nodes and isolated regions.
         let prediction = Prediction::new(start, system, share);
         elimination.eliminate(&prediction, step_bound, coupled, problem, state);
         state.approach += prediction.approach_change();
         // Elastic films by one convolution.
-        coupled.deform(problem, state)?;
+        coupled.displace(problem, state)?;
         // A line contact shifts its approach by the mean rise: its pressures move all films alike.
         if coupled.fluid.grid.ny() == 1 {
             let rise = prediction.mean_rise(coupled, state);
             state.approach += rise;
             coupled.elastic_film.iter_mut().for_each(|film| *film -= rise);
         }
-        coupled.update(problem, state);
+        *residuals = coupled.evaluate(problem, state, Changed::ElasticFilm)?;
         Ok(prediction.film_error(coupled, state, problem.contact_film()))
     }
 }

@@ -1,8 +1,9 @@
 //! Saved states: the start of a step, and the best state of a solve.
 
+use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::active_set::NodeState;
-use crate::reynolds::coupled::Coupled;
+use crate::reynolds::coupled::{Changed, Coupled};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
@@ -54,16 +55,17 @@ impl Snapshot {
     pub(super) fn restore(
         &self,
         coupled: &mut Coupled,
-        problem: &LubricatedContact<'_>,
+        problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-    ) {
+    ) -> Result<(), InputError> {
         state.pressure.copy_from_slice(&self.pressure);
         state.fluid_pressure.copy_from_slice(&self.fluid_pressure);
         state.plastic_depth.copy_from_slice(&self.plastic_depth);
         state.approach = self.approach;
         coupled.active_set.copy_from_slice(&self.active_set);
         coupled.elastic_film.copy_from_slice(&self.elastic_film);
-        coupled.update(problem, state);
+        coupled.evaluate(problem, state, Changed::ElasticFilm)?;
+        Ok(())
     }
 
     /// Node `k` as it was saved.

@@ -116,7 +116,7 @@ impl ContactSolver for SemiSystem {
         if problem.lubricant.is_none() {
             return Some("the problem has no lubricant");
         }
-        let has_no_sides = problem.is_paper() && problem.grid().is_strip();
+        let has_no_sides = problem.is_unified_reynolds() && problem.grid().is_strip();
         has_no_sides
             .then_some("sweeps of the unified Reynolds model need side edges; take contact = \"hard\"")
     }
@@ -129,7 +129,7 @@ impl ContactSolver for SemiSystem {
     ) -> Result<SolveReport, ReynoldsError> {
         self.check(problem, state, stop)?;
         let (solver, grid) = (self.id(), problem.grid());
-        if !problem.is_paper() {
+        if !problem.is_unified_reynolds() {
             let report = self.relaxed.solve(problem, state, stop)?;
             let Work { iterations, inner_iterations, .. } = report.work;
             // Each step has one additional relaxation, for the response to the approach.

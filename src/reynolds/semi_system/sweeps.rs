@@ -10,11 +10,12 @@ use crate::grid::Grid;
 use crate::numerics::solve_tridiagonal;
 use crate::report::{Residuals, Status, Work};
 use crate::reynolds::active_set::Fluid;
-use crate::reynolds::coupled::{Coupled, reaches_limit};
+use crate::reynolds::coupled::{Changed, Coupled};
 use crate::reynolds::dry::hertzian;
 use crate::reynolds::inner_nodes::inner_rows;
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
+use crate::reynolds::unified_reynolds::reaches_limit;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
 /// Share of the approach correction that is applied after each sweep.
@@ -108,13 +109,12 @@ impl Sweeps {
         damping: Damping,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
-        self.begin(problem, state)?;
+        let mut residuals = self.begin(problem, state)?;
         self.history.clear();
         let mut best = Residuals::UNKNOWN;
         let mut mark = (f64::INFINITY, 0);
         let mut status = Status::MaxIterations;
         for sweep in 0..=stop.max_iterations {
-            let residuals = self.coupled.residuals(problem, state);
             self.history.push(residuals);
             if !residuals.is_finite() {
                 status = Status::Diverged;
@@ -142,35 +142,36 @@ impl Sweeps {
             self.coupled.classify(problem, state);
             self.sweep(problem, state, damping);
             self.balance_load(problem, state);
-            self.coupled.evaluate(problem, state)?;
+            residuals = self.coupled.evaluate(problem, state, Changed::Pressures)?;
         }
         if best.is_finite() {
             state.clone_from(&self.best);
-            self.coupled.evaluate(problem, state)?;
+            self.coupled.evaluate(problem, state, Changed::Pressures)?;
         }
         Ok((status, best))
     }
 
-    /// Evaluates the initial state; without pressure it is the Hertz contact with an open film.
+    /// Evaluates the initial state and returns its residuals; without pressure it is the Hertz contact with an open film.
     fn begin(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-    ) -> Result<(), ReynoldsError> {
+    ) -> Result<Residuals, ReynoldsError> {
         let cold = state.pressure.iter().all(|&p| p <= 0.0);
         if cold {
             start_from_hertz(problem, state);
         }
         self.coupled.configure(problem);
-        self.coupled.evaluate(problem, state)?;
-        if cold {
-            self.open_film(problem, state);
-        }
-        Ok(())
+        let residuals = self.coupled.evaluate(problem, state, Changed::Pressures)?;
+        if cold { self.open_film(problem, state) } else { Ok(residuals) }
     }
 
-    /// Shifts the approach until the lowest film under pressure is the reference film.
-    fn open_film(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+    /// Shifts the approach until the lowest film under pressure is the reference film; returns the residuals.
+    fn open_film(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+    ) -> Result<Residuals, ReynoldsError> {
         let mut lowest = f64::INFINITY;
         for (h, p) in self.coupled.elastic_film.iter().zip(&state.pressure) {
             if *p > 0.0 {
@@ -184,8 +185,8 @@ impl Sweeps {
                 *h += lift;
                 *film += lift;
             }
-            self.coupled.refresh(problem, state);
         }
+        Ok(self.coupled.evaluate(problem, state, Changed::Film)?)
     }
 
     /// One sweep over all lines.

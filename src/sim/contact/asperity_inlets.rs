@@ -5,9 +5,8 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::ContactDefinition;
 use crate::sim::contact::film_temperature;
-use crate::sim::contact::solution::ContactSolution;
 use crate::sim::contact::warnings::Warning;
-use crate::sim::scene::{GridSpec, Scene, SolverKind, SolverModel};
+use crate::sim::scene::{GridSpec, Scene, SolverKind};
 
 /// Root mean square slopes along and across the flow whose ratio, or its inverse, is above this have a lay.
 const LAY: f64 = 2.0;
@@ -16,28 +15,9 @@ const OPPOSITE: f64 = 2.0;
 /// Largest smooth film over composite Rq.
 const LARGEST_LAMBDA: f64 = 0.5;
 /// Words of the warning about cells.
-const WIDE_CELLS: &str = "too wide for the curvature of the asperities";
+pub(in crate::sim) const WIDE_CELLS: &str = "too wide for the curvature of the asperities";
 /// Widest cell over the root mean square height over slope, a length of the asperities.
 const WIDEST_CELL: f64 = 0.25;
-
-impl ContactSolution {
-    /// Whether the contact is within the range of its model: without warnings about the smooth film or the cells of asperity
-    /// inlets, always for the resolved model.
-    ///
-    /// ```
-    /// use stribeck::sim::{Scene, scene::SolverModel, solve_contact};
-    /// let mut scene = Scene::azam_2019(32); // cells of 16 um
-    /// assert!(solve_contact(&scene)?.is_within_model());
-    /// scene.solver.model = SolverModel::AsperityInlets;
-    /// assert!(!solve_contact(&scene)?.is_within_model());
-    /// # Ok::<(), stribeck::sim::SimError>(())
-    /// ```
-    pub fn is_within_model(&self) -> bool {
-        let is_outside =
-            |warning: &Warning| warning.field == "solver.model" || warning.message.contains(WIDE_CELLS);
-        self.model != Some(SolverModel::AsperityInlets) || !self.warnings.iter().any(is_outside)
-    }
-}
 
 /// Checks that the scene has nothing that the law leaves out.
 pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {

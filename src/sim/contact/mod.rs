@@ -26,6 +26,7 @@ pub(in crate::sim) mod memory;
 pub(in crate::sim) mod mesh_error;
 pub(in crate::sim) mod mixing;
 pub(in crate::sim) mod model;
+mod model_range;
 pub(in crate::sim) mod numbers;
 pub(in crate::sim) mod oil;
 pub(in crate::sim) mod oil_numbers;

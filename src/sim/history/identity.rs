@@ -7,10 +7,6 @@
 
 use toml::{Table, Value};
 
-use crate::elastic::{DeformationModel, NEAR};
-use crate::sim::error::SimError;
-use crate::sim::history::builder::SimBuilder;
-use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::scene::{GridSpec, Scene};
 
 /// Parts that a run may change when it continues under other conditions.
@@ -31,8 +27,6 @@ pub(in crate::sim) const CONDITIONS: [&str; 11] = [
 const VERSION: u32 = 1;
 /// Largest number of lines of a description in an error.
 const MOST_LINES: usize = 4;
-/// Description of a part that follows from the scene.
-const OF_SCENE: &str = "of the scene";
 
 /// Description of a run: its scene as a scene file, and the custom components.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -46,6 +40,11 @@ pub(in crate::sim) struct Identity {
 }
 
 impl Identity {
+    /// The identity of a `scene` file and of named parts.
+    pub(super) fn new(scene: String, parts: Vec<(String, String)>) -> Self {
+        Self { version: VERSION, scene, parts }
+    }
+
     /// The grid of the scene.
     pub(in crate::sim) fn grid(&self) -> Option<GridSpec> {
         Scene::from_toml(&self.scene).ok().map(|scene| scene.grid)
@@ -93,55 +92,7 @@ fn tables(scene: &str) -> Table {
 
 /// Custom components by their `Debug` output.
 #[derive(Debug, Default, Clone)]
-pub(in crate::sim) struct CustomIdentity(Vec<(&'static str, String)>);
-
-impl CustomIdentity {
-    /// The custom components of a builder; call it before they are moved out.
-    pub(in crate::sim) fn of(builder: &SimBuilder) -> Self {
-        let custom = &builder.custom;
-        let words = |part: Option<&dyn std::fmt::Debug>| {
-            part.map_or_else(|| OF_SCENE.to_owned(), |part| format!("{part:?}"))
-        };
-        Self(vec![
-            ("motion", words(builder.motion.as_ref().map(|part| part as _))),
-            ("growth law", words(builder.growth.as_ref().map(|part| part as _))),
-            ("plasticity model", words(builder.plasticity.as_ref().map(|part| part as _))),
-            ("wear law", words(builder.wear.as_ref().map(|part| part as _))),
-            ("boundary friction", words(builder.friction.as_ref().map(|part| part as _))),
-            ("viscosity law", words(custom.viscosity.as_ref().map(|part| part as _))),
-            ("density law", words(custom.density.as_ref().map(|part| part as _))),
-        ])
-    }
-}
-
-impl MixedLubricationSim {
-    /// The identity with custom components.
-    pub(in crate::sim) fn with_custom_identity(mut self, custom_identity: CustomIdentity) -> Self {
-        self.custom_identity = custom_identity;
-        self
-    }
-
-    /// The scene as a file, and the custom components.
-    ///
-    /// # Errors
-    /// A scene that cannot be written to a file.
-    pub(in crate::sim) fn identity(&self) -> Result<Identity, SimError> {
-        let bodies = self.contact.deformation.bodies();
-        let influence = [0, 1, NEAR].map(|di| format!("{:e}", bodies.influence(di, 0)));
-        let others = [
-            ("squeeze", self.surface_motion.squeeze.to_string()),
-            ("solver", self.contact.solver.id().to_string()),
-            // Compared by its response: the `Debug` output may contain buffers.
-            ("deformation model", influence.join(" ")),
-        ];
-        let parts = self.custom_identity.0.iter().map(|(name, words)| (*name, words.clone())).chain(others);
-        Ok(Identity {
-            version: VERSION,
-            scene: self.scene.to_toml()?,
-            parts: parts.map(|(name, words)| (name.to_owned(), words)).collect(),
-        })
-    }
-}
+pub(in crate::sim) struct CustomIdentity(pub(super) Vec<(&'static str, String)>);
 
 #[cfg(test)]
 mod tests {

@@ -25,10 +25,13 @@ pub(in crate::sim) mod record;
 mod record_csv;
 pub(in crate::sim) mod runs;
 pub(in crate::sim) mod simulation;
+#[cfg(feature = "serde")]
+mod simulation_identity;
 pub(in crate::sim) mod squeeze_memory;
 pub(in crate::sim) mod start;
 mod step_commit;
 pub(in crate::sim) mod step_control;
+mod step_record;
 mod step_solve;
 mod step_warnings;
 pub(in crate::sim) mod track;

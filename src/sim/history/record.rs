@@ -1,22 +1,16 @@
 //! One row of a history.
 //!
-//! A new column needs a field, an entry in `COLUMNS`, a value in `MixedLubricationSim::record` below and a line in
+//! A new column needs a field, an entry in `COLUMNS`, a value in `MixedLubricationSim::record` (`step_record`) and a line in
 //! `docs/output.md`. Records are read back exactly, which resuming depends on.
 
-use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status};
 use crate::reynolds::FlowBalance;
 use crate::sim::contact::error_estimate::ErrorEstimate;
-use crate::sim::contact::film_heat::Solved;
 use crate::sim::contact::numbers::{
-    ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, Numbers, PlasticNumbers, PressureNumbers,
+    ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, PlasticNumbers, PressureNumbers,
     RoughnessNumbers, ThermalNumbers, WearNumbers,
 };
-use crate::sim::error::SimError;
-use crate::sim::history::body::Body;
-use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::scene::Motion;
-use crate::sim::scene::operating_schedule::Conditions;
 use crate::solver_id::SolverId;
 
 /// Results of one committed step, in SI units. Roughness, film, pressures, friction and heat are those of the
@@ -113,59 +107,5 @@ impl StepRecord {
             attempts: 0,
             report: SolveReport::new(SolverId::Auto, Status::Stalled, Residuals::default()),
         }
-    }
-}
-
-impl MixedLubricationSim {
-    /// Root mean square roughness of both bodies on the track \[m\].
-    pub(in crate::sim) fn roughness(&self) -> Result<[f64; 2], InputError> {
-        let [ball, disc] = &self.bodies;
-        Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
-    }
-
-    /// The record of the step of length `time_step` just taken, whose contact was solved under `conditions` on
-    /// surfaces of roughness `rq`.
-    pub(in crate::sim) fn record(
-        &self,
-        ((report, heat), attempts): (Solved, u32),
-        flash_rise: Option<f64>,
-        (conditions, rq): (Conditions, [f64; 2]),
-        time_step: f64,
-    ) -> Result<StepRecord, SimError> {
-        let limit = self.laws.plasticity.is_some().then_some(self.yielding.limit.as_slice());
-        let numbers = Numbers::of(&self.contact, &self.state, Some(&self.friction), limit, rq)?;
-        let depths = |field: fn(&Body) -> &[f64]| {
-            DepthNumbers::of(self.bodies.each_ref().map(field), |values| self.mean_on_track(values))
-        };
-        let [ball, disc] = self.bodies.each_ref().map(|body| body.volumes(self.contact.grid.cell_area()));
-        let length = self.contact.grid.contact_length();
-        let volume = (ball?.plastic + disc?.plastic) / length;
-        let worn_volumes = self.bodies.each_ref().map(|body| body.worn_volume() / length);
-        Ok(StepRecord {
-            step: self.step,
-            time: self.time + time_step,
-            time_step,
-            load: conditions.load,
-            motion: conditions.motion,
-            bulk_temperature: conditions.bulk_temperature,
-            roughness: numbers.roughness,
-            film: numbers.film,
-            pressure: numbers.pressure,
-            contact: numbers.contact,
-            friction: numbers.friction,
-            flow: self.contact.flow,
-            thermal: heat.map(|(numbers, _)| numbers),
-            flash_rise,
-            wear: WearNumbers::of(
-                depths(Body::wear)?,
-                worn_volumes,
-                self.scars(conditions.motion.surface_speeds()),
-            ),
-            tribofilm: depths(Body::tribofilm)?,
-            plastic: PlasticNumbers { volume },
-            error_estimate: None,
-            attempts,
-            report,
-        })
     }
 }

@@ -6,6 +6,7 @@ mod accuracy;
 pub(in crate::sim) mod expectation;
 mod memory;
 mod prepared;
+mod solve;
 mod solve_under;
 mod starvation;
 

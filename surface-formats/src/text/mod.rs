@@ -12,7 +12,7 @@ mod header;
 mod keys;
 mod lateral;
 mod layout;
-mod number;
+pub(crate) mod number;
 mod pairs;
 mod raster;
 mod roles;
@@ -24,7 +24,6 @@ mod write;
 mod wyko;
 mod zygo;
 
-pub(crate) use self::number::parse_height;
 pub use self::write::write_text;
 
 use self::blocks::{Block, blocks};

@@ -11,6 +11,7 @@ use stribeck::units::Dimension;
 
 use super::Options;
 use super::disc::{Disc, Finish, Measured};
+use super::quantity::Quantity;
 use crate::output;
 
 /// A question, the option that answers it, its default and what it asks for.
@@ -27,24 +28,6 @@ const RQ: &str = "--roughness";
 const LENGTH: &str = "--length";
 const DISC: &str = "Disc: ground, honed, superfinished or polished, its root mean square height (0: smooth), or a file of heights";
 const SMOOTH: &str = "0";
-
-/// A quantity as it was written, and in SI units.
-#[derive(Debug, Clone)]
-pub(super) struct Quantity {
-    pub(super) text: String,
-    pub(super) value: f64,
-}
-
-impl Quantity {
-    /// The value of a key in a scene file.
-    pub(super) fn entry(&self) -> String {
-        if self.text.trim().parse::<f64>().is_ok() {
-            format!("{:?}", self.value)
-        } else {
-            format!("{:?}", self.text.trim())
-        }
-    }
-}
 
 /// What a scene is made of.
 pub(super) struct Answers {

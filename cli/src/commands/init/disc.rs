@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use stribeck::metrics::{AreaCorrelation, height_statistics};
 use stribeck::{Boundary, Grid, surface};
 
-use super::answers::Quantity;
+use super::quantity::Quantity;
 use super::{MOST_CELLS, plain, rounded};
 
 /// Cells in the correlation length. The spectrum of heights with the autocorrelation `exp(-ln(10) r^2/L^2)` is

@@ -3,6 +3,7 @@
 use super::*;
 use crate::elastic::{DeformationModel, HalfSpace};
 use crate::lubricant::{DowsonHigginson, Lubricant, Rheology, Roelands, ThermalRoelands};
+use crate::reynolds::coupled::Changed;
 use crate::reynolds::inner_nodes::interior;
 use crate::reynolds::{Cavitation, FaceMobility, Scheme, ShearThinning};
 
@@ -99,12 +100,12 @@ fn rows_at(
         state.pressure[k as usize] += step(unknowns.balanced.len() + i) * unknowns.pressure_unit;
     }
     state.approach = step(x.len() - 1) * unknowns.film_unit;
-    coupled.deform(problem, &mut state).unwrap();
+    coupled.displace(problem, &mut state).unwrap();
     for (k, side) in coupled.active_set.iter().enumerate() {
         // To the flow, contact keeps its film whatever the elastic one does.
         state.film[k] = if side.is_contact() { 30e-9 } else { coupled.elastic_film[k] + depth[k] };
     }
-    coupled.refresh(problem, &mut state);
+    coupled.evaluate(problem, &mut state, Changed::Film).unwrap();
     let balances = unknowns.balanced.iter().map(|&k| coupled.balance[k as usize]);
     let gaps = unknowns.contact.iter().map(|&k| coupled.elastic_film[k as usize]);
     let load = state.pressure.iter().sum::<f64>() * grid.cell_area() / problem.load;

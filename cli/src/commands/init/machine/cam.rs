@@ -11,7 +11,7 @@ use std::fs;
 use stribeck::units::Dimension;
 
 use super::{Machine, Options, length, number};
-use crate::output;
+use crate::{files, output};
 
 /// Relative difference of angle steps that counts as equal.
 const EVEN: f64 = 1e-3;
@@ -20,7 +20,7 @@ const EVEN: f64 = 1e-3;
 fn lifts(options: &Options) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
     let path = options.cam.as_ref().ok_or("--cam is missing")?;
     let refused = |reason: String| -> Box<dyn Error> { format!("--cam {}: {reason}", path.display()).into() };
-    let text = fs::read_to_string(path).map_err(|error| refused(output::io_words(&error)))?;
+    let text = fs::read_to_string(path).map_err(|error| refused(files::io_words(&error)))?;
     let (mut angles, mut lifts) = (Vec::new(), Vec::new());
     for (index, line) in text.lines().enumerate() {
         let line = line.trim();
