@@ -179,7 +179,7 @@ fn cam_has_the_films_of_dowson_and_toyoda() {
         let near = |a: f64, b: f64| (a - angle).abs().total_cmp(&(b - angle).abs());
         let at = |point: &CyclePoint| point.angle.unwrap().to_degrees();
         let point = points.iter().min_by(|a, b| near(at(a), at(b))).unwrap();
-        let name = |what: &str| format!("{what} at {angle} deg");
+        let name = |number: &str| format!("{number} at {angle} deg");
         let radius: f64 = 26e-3 + lift + second;
         let load = (load + 0.12 * rate * rate * second) / 12e-3;
         close(&name("radius"), point.radius, radius, 0.04);

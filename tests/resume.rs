@@ -369,8 +369,8 @@ fn killed_runs(ends: usize, files: usize, start: impl Fn(&Path, &str) -> Child) 
             let mut child = start(&out, if (same + hits) % 2 == 0 { "1" } else { "2" });
             if hits < wanted {
                 std::thread::sleep(length.mul_f64(0.9 * random.share()));
-                // The first kill of every second run waits for a file to be written; later ones may find what
-                // that left.
+                // The first kill of every second run waits for a file to be written; later ones may find files
+                // of an earlier one.
                 let waits = hits == 0 && same % 2 == 1;
                 while waits && !is_writing(&out) && child.try_wait().unwrap().is_none() {}
                 if child.try_wait().unwrap().is_none() {

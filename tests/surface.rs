@@ -198,7 +198,7 @@ fn a_carried_pattern_moves_with_its_body_and_comes_round() {
     let grid = Grid::centred(64, 5, 2e-6, 1e-6).unwrap();
     let at = |time, speed| Advected.offset(0, 9, time, speed, &grid);
     assert_eq!(at(0.0, 0.1), Offset::default());
-    // 1.5 cells downstream: column 0 of the grid sees what was 1.5 columns upstream.
+    // 1.5 cells downstream: column 0 of the grid has the heights 1.5 columns upstream.
     let offset = at(3e-6, 1.0);
     assert_eq!((offset.columns, offset.rows), (62, 0));
     assert!((offset.fraction - 0.5).abs() < 1e-9);

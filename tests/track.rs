@@ -102,8 +102,8 @@ fn on_a_track_a_point_ages_while_the_contact_passes() {
         [9.525e-3, 23e-3].map(|radius| scene.hertz().unwrap().half_width_x / (std::f64::consts::PI * radius));
     let track = run(scene, 3, 10.0).1;
     for body in [0, 1] {
-        // The surfaces hardly change: film and wear are those of the time in the contact, small against what
-        // they end at.
+        // The surfaces hardly change: film and wear are those of the time in the contact, and small beside
+        // their final values.
         close(track.wear.in_contact()[body], share[body] * clock.wear.in_contact()[body], 0.05);
         close(track.tribofilm.in_contact()[body], share[body] * clock.tribofilm.in_contact()[body], 0.1);
     }

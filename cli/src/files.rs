@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 type Written = Result<(), Box<dyn Error>>;
 
 /// Checks before a long computation that all `files` can be written. An existing file is refused unless
-/// `force`; `elsewhere` tells in the message how to write another one instead. A device is written as it is.
+/// `force`; `elsewhere` ends the message with the way to write another file. A device is written as it is.
 pub(crate) fn claim(files: &[PathBuf], force: bool, elsewhere: &str) -> Result<(), String> {
     for (index, file) in files.iter().enumerate() {
         let (name, same) = (file.display(), absolute(file));

@@ -10,13 +10,13 @@ static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// Exit status of a program that an interruption ends.
 const KILLED: i32 = 130;
 
-/// Listens from now on; `what` is printed at the first interruption.
-pub(crate) fn listen(what: &'static str) -> Result<(), ctrlc::Error> {
+/// Listens from now on; `message` is printed at the first interruption.
+pub(crate) fn listen(message: &'static str) -> Result<(), ctrlc::Error> {
     ctrlc::set_handler(move || {
         if INTERRUPTED.swap(true, Ordering::Relaxed) {
             process::exit(KILLED);
         }
-        output::complain("interrupted", &format!("{what}; once more ends it at once"));
+        output::complain("interrupted", &format!("{message}; once more ends it at once"));
     })
 }
 

@@ -50,7 +50,7 @@ enum Command {
     Benchmark(benchmark::Options),
     /// Report the parameters of a measured surface (ISO 25178-2)
     Surface(surface::Options),
-    /// Say what a scene models and what to expect of it, without solving
+    /// List the parts of the model and estimates of a scene, without solving
     Check(check::Options),
     /// Write a scene file from options, or from the answers to a few questions
     Init(Box<init::Options>),
@@ -131,8 +131,8 @@ fn outcome(arguments: impl IntoIterator<Item = OsString>) -> Outcome {
 /// The fault of the command line, without usage; of a value that an option refuses, the reason of the option.
 fn short(error: &str) -> String {
     let parts = error.split("\n\n").map(str::trim);
-    let told = parts.filter(|part| !part.starts_with("Usage:") && !part.starts_with("For more information"));
-    let text = told.collect::<Vec<_>>().join("; ");
+    let kept = parts.filter(|part| !part.starts_with("Usage:") && !part.starts_with("For more information"));
+    let text = kept.collect::<Vec<_>>().join("; ");
     let text = text.strip_prefix("error: ").unwrap_or(&text);
     match text.split_once(">': ") {
         Some((head, rest)) if head.starts_with("invalid value") => rest.to_owned(),

@@ -1,4 +1,4 @@
-//! What all subcommands share: where words and files go, how a scene is read, how the program ends.
+//! Common parts of the subcommands: messages and files, reading of scenes, exit codes.
 
 use std::error::Error;
 use std::fmt::Display;
@@ -109,7 +109,7 @@ fn without_number(message: &str) -> String {
 /// One line on standard error.
 pub(crate) fn complain(kind: &str, text: &str) {
     let line = without_number(text).split_whitespace().collect::<Vec<_>>().join(" ");
-    // Nobody is left to be told when standard error is closed.
+    // Without standard error the message is lost.
     let _ = writeln!(io::stderr(), "{kind}: {line}");
 }
 

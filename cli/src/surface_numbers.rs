@@ -155,8 +155,8 @@ pub(crate) fn dominant_form(surface: &Heights) -> Option<String> {
         Some(1.0 - square(&rest)? / whole)
     };
     let (plane, form) = (share(1)?, share(FORM_DEGREE)?);
-    let says = |what: &str, share: f64, option: &str| {
-        format!("{what} holds {:.0} % of Sq^2; {option} removes it", 100.0 * share)
+    let says = |part: &str, share: f64, option: &str| {
+        format!("{part} holds {:.0} % of Sq^2; {option} removes it", 100.0 * share)
     };
     if plane > MOST {
         Some(says("a plane", plane, "--level"))

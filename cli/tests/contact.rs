@@ -167,9 +167,9 @@ fn check_tells_what_to_expect() {
     let warnings = error_of(&output);
     assert!(!scene.warnings().is_empty());
     assert_eq!(warnings.lines().filter(|line| line.starts_with("warning: ")).count(), scene.warnings().len());
-    let modelled = |what: &str| {
+    let modelled = |name: &str| {
         let parts = numbers["modelled"].as_array().unwrap();
-        parts.iter().find(|part| part["what"] == what).unwrap()["modelled"].as_bool().unwrap()
+        parts.iter().find(|part| part["part"] == name).unwrap()["modelled"].as_bool().unwrap()
     };
     assert!(modelled("oil") && modelled("plastic limit") && modelled("rough disc"));
     assert!(!modelled("wear") && !modelled("tribofilm") && modelled("flooded inlet"));

@@ -217,7 +217,7 @@ fn passage_prints_means_and_writes_contacts_and_frames() {
         .as_array()
         .unwrap()
         .iter()
-        .find(|part| part["what"] == "moving roughness")
+        .find(|part| part["part"] == "moving roughness")
         .unwrap();
     assert!(part["why"].as_str().unwrap().contains("a model"), "{part}");
 }

@@ -1,5 +1,5 @@
-"""What people hand over, as the compiled module takes it. Every public call converts its arguments here, so that whatever does not fit is a
-:class:`~stribeck.StribeckError` with the name of the argument and what was given."""
+"""Arguments of public calls, converted for the compiled module. Every public call converts its arguments here; an invalid one raises a
+:class:`~stribeck.StribeckError` with its name and value."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _TRUTHS = "biu"
 
 
 def refused(field: str, value: Any, words: str) -> InputError:
-    """The error of an argument that is not what ``words`` say it must be."""
+    """The error of an argument that does not meet the requirement ``words``."""
     shown = repr(value)
     if len(shown) > _LONGEST:
         shown = f"{shown[:_LONGEST]}..."
@@ -40,7 +40,7 @@ def refused(field: str, value: Any, words: str) -> InputError:
 
 
 def number(field: str, value: Any, unit: str) -> float:
-    """A number in ``unit``, or text with a unit as in scenes; ``"1"`` is the unit of what has no dimension."""
+    """A number in ``unit``, or text with a unit as in scenes; ``"1"`` is the unit of dimensionless numbers."""
     if isinstance(value, str) and unit != "1":
         return quantity(field, text(field, value), unit)
     words = "a number" if unit == "1" else f"a number in {unit}, or text with a unit"
@@ -113,7 +113,7 @@ def path(field: str, value: Any) -> str:
 
 @contextmanager
 def writing(place: str) -> Iterator[None]:
-    """What the system refuses of the file at ``place`` from within is a :class:`~stribeck.FileError`."""
+    """Raises a :class:`~stribeck.FileError` in place of the operating system's error about the file at ``place``."""
     try:
         yield
     except OSError as error:
@@ -123,13 +123,13 @@ def writing(place: str) -> Iterator[None]:
 
 
 def instance(field: str, value: Any, kind: type | tuple[type, ...], words: str) -> None:
-    """Refuses what is none of ``kind``, which ``words`` name."""
+    """Refuses a value that is not of ``kind``; ``words`` name it."""
     if not isinstance(value, kind):
         raise refused(field, value, words)
 
 
 def function(field: str, value: Any) -> None:
-    """Refuses what can be called by nobody."""
+    """Refuses a value that is not callable."""
     if value is not None and not callable(value):
         raise refused(field, value, "a function")
 
@@ -154,7 +154,7 @@ def cells(grid: Grid) -> Cells:
 
 
 def floats(values: Any) -> npt.NDArray[np.float64]:
-    """Numbers of any shape; raises TypeError or ValueError for what are none, and for masked ones."""
+    """Numbers of any shape; raises TypeError or ValueError for other values, and for masked arrays."""
     if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():
         raise ValueError(f"{np.ma.getmaskarray(values).sum()} of {values.size} values are masked")
     array = np.asarray(values)

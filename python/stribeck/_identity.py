@@ -30,7 +30,7 @@ _PYTHON = ".".join(platform.python_version_tuple()[:2])
 
 
 def identity(law: Any) -> str:
-    """The name of the law and, line by line, what it computes with: attributes, slots, defaults, closures, bound and partial arguments, the
+    """The name of the law and, line by line, the data and code that it uses: attributes, slots, defaults, closures, bound and partial arguments, the
     byte code of its functions, and the functions and constants of the user's modules that they reach. An attribute whose name begins with an
     underscore is memory and no constant, and so is a list, set or dictionary with such a name in a module or class. An attribute ``identity`` of the
     law, a text or a method that returns one, stands in place of all this. Arrays, lists and dictionaries are described by their values."""

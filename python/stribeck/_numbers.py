@@ -149,7 +149,7 @@ class Numbers(Mapping[str, Any]):
     _values: dict[str, Any]
 
     def __init__(self, values: Mapping[str, Any], path: str = "", units: Mapping[str, str] | None = None) -> None:
-        """``path`` is what stands before the names in their full ones, ``film.``; ``units`` are those of full names where the names are not
+        """``path`` is the prefix of the full names, ``film.``; ``units`` are those of full names where the names are not
         those of a solution."""
         wrapped = {k: Numbers(v, f"{path}{k}.", units) if isinstance(v, dict) else v for k, v in values.items()}
         object.__setattr__(self, "_path", path)

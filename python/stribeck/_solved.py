@@ -1,4 +1,4 @@
-"""What all solves end with."""
+"""Conversion of solutions, common to all solves."""
 
 from __future__ import annotations
 

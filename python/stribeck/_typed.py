@@ -1,5 +1,5 @@
-"""Names of numbers for type checkers. At run time each table is a :class:`~stribeck._numbers.Numbers`; a test compares these classes with what
-solves and steps return."""
+"""Names of numbers for type checkers. At run time each table is a :class:`~stribeck._numbers.Numbers`; a test compares these classes with the results
+of solves and steps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exceptions of the package. Each carries ``field``, what was wrong by name, and ``value``, what was found there."""
+"""Exceptions of the package. Each has ``field``, the name of the invalid input, and ``value``, its value."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ __all__ = [
 
 
 class StribeckError(Exception):
-    """Anything that the package refuses. ``field`` names the input, ``value`` is what was given; None where there is none."""
+    """Base of all errors of the package. ``field`` names the invalid input, ``value`` is its value; None if there is none."""
 
     field: str | None
     value: Any
@@ -70,7 +70,7 @@ class NotConvergedError(StribeckError):
 
 
 class LawError(StribeckError):
-    """A law in Python that raised (see ``__cause__``), or returned what is no field of finite numbers."""
+    """A law in Python that raised (see ``__cause__``), or returned values other than finite numbers."""
 
 
 class CheckpointError(StribeckError):
@@ -87,7 +87,7 @@ class BusyError(StribeckError, RuntimeError):
 
 class StribeckWarning(UserWarning):
     """Something that is allowed but unlikely to be meant or to hold: ``field`` is the key of the scene or the number of the solution,
-    ``value`` its value in SI units (None where it has none), ``message`` what is wrong and ``remedy`` what would mend it."""
+    ``value`` its value in SI units (None where it has none), ``message`` the reason and ``remedy`` the advice."""
 
     def __init__(self, field: str, value: float | None, message: str, remedy: str) -> None:
         name = field if value is None else f"{field} = {value:.7g}"

@@ -73,7 +73,7 @@ class GivenFilm(Solved):
     """A film between rigid surfaces. ``load`` [N], ``force.lower`` and ``force.upper`` [N], the shear forces along +x on both
     surfaces, ``side_flow`` [m^3/s] through the edges across y, ``edge_flows`` [m^3/s] out through the edges of the smallest and largest x and y,
     ``cavitated_shear`` [N], the part of the shear force by cavitated fluid, ``power_loss`` [W] by friction, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
-    and ``theta``, the share of the gap that is filled, are read-only arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
+    and ``theta``, the share of the gap that is filled, are read-only arrays of the shape ``(ny, nx)``; ``warnings`` lists implausible input."""
 
     __slots__ = ("_rows", "film", "grid", "pressure", "theta", "warnings")
 
@@ -130,7 +130,7 @@ class GivenFilm(Solved):
         return f"the film ended as {self['status']} with an imbalance of {self['residual']['mass']:.3g}"
 
     def pressure_at(self, x: Quantity, row: int = 0) -> float | None:
-        """Pressure [Pa] at ``x`` [m] in a row of the grid; None for a row that it does not have and an ``x`` that is no number."""
+        """Pressure [Pa] at ``x`` [m] in a row of the grid; None for a row beyond the grid and for an ``x`` that is NaN."""
         place, at = number("x", x, "m"), whole("row", row)
         if at >= len(self._rows) or np.isnan(place):
             return None
@@ -170,7 +170,7 @@ def given_film(
     ``edge_pressures`` at those of the smallest and largest x and y, and nowhere below ``cavitation_pressure`` [Pa]; with
     ``closed_sides`` nothing flows through the edges across y.
 
-    Not converging is a status, see :meth:`GivenFilm.require_converged`. What is unlikely to be meant is said as a
+    Not converging is a status, see :meth:`GivenFilm.require_converged`. Implausible input is issued as a
     :class:`~stribeck.StribeckWarning`.
     """
     on = cells(grid)

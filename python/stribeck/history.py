@@ -37,7 +37,7 @@ class Simulation(Kept):
     the roughness from step to step, are laws in Python in place of those of the scene (:mod:`stribeck.laws`). ``squeeze`` makes
     the history transient: it is for roughness that moves by less than a cell a step.
 
-    What is unlikely to be meant is said once as a :class:`~stribeck.StribeckWarning`, that of scene and surfaces at once, that of
+    Implausible input is issued once as a :class:`~stribeck.StribeckWarning`: warnings of scene and surfaces at once, those of
     the contact after the first step.
 
     A step that fails leaves the simulation as before. Ctrl-C ends a step, within its solve too, and leaves the simulation as
@@ -80,7 +80,7 @@ class Simulation(Kept):
         say(self.warnings, 2)
 
     def _build(self, scene: Scene, given: dict[str, Any], start: Solution | None = None) -> None:
-        """Begins at the start of ``scene`` with what was ``given`` in place of its parts."""
+        """Begins at the start of ``scene``, with the ``given`` objects in place of its parts."""
         keeper, called = held(given["laws"])
         built = parts(given["heights"], given["bodies"], called)
         own = (built["ball_heights"], built["disc_heights"])
@@ -124,7 +124,7 @@ class Simulation(Kept):
 
     @property
     def warnings(self) -> list[StribeckWarning]:
-        """What is unlikely to be meant or to hold, of the scene, its surfaces and, after the first step, its contact."""
+        """Warnings of the scene, its surfaces and, after the first step, its contact."""
         return found(self._raw.warnings())
 
     @property
@@ -144,7 +144,7 @@ class Simulation(Kept):
 
     @property
     def conditions(self) -> Conditions:
-        """What acts on the contact now: ``load`` [N], ``motion.entrainment_speed`` [m/s], ``motion.slide_roll_ratio``, ``bulk_temperature`` [K]."""
+        """Present operating conditions: ``load`` [N], ``motion.entrainment_speed`` [m/s], ``motion.slide_roll_ratio``, ``bulk_temperature`` [K]."""
         return cast(Conditions, Numbers(self._raw.about()["conditions"]))
 
     @property

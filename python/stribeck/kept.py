@@ -82,14 +82,14 @@ class Kept:
     def restore(self, path: str | os.PathLike[str], *, accept: Iterable[str] = ()) -> list[str]:
         """Takes over a checkpoint. ``accept`` names parts that may differ from those it was written with, laws by their keywords and tables of
         the scene (``["wear", "scene.load"]``): a law whose code is the same under another version of Python, say. Returns those that
-        do. Raises :class:`~stribeck.CheckpointError` where it is damaged or of another simulation, with what differs."""
+        do. Raises :class:`~stribeck.CheckpointError` where it is damaged or of another simulation; its message names the differences."""
         differences = self._raw.restore(_path("path", path), accepted(accept))
         object.__setattr__(self, "_history", History())
         return differences
 
     def restore_under_other_conditions(self, path: str | os.PathLike[str]) -> list[str]:
-        """Takes over a checkpoint of a scene whose load, speeds, oil, friction, temperatures, schedule or solver differ, and returns what
-        does."""
+        """Takes over a checkpoint of a scene whose load, speeds, oil, friction, temperatures, schedule or solver differ, and returns the names
+        of these parts."""
         differences = self._raw.restore_under_other_conditions(_path("path", path))
         object.__setattr__(self, "_history", History())
         return differences

@@ -1,7 +1,7 @@
 """Laws written in Python. They are called on whole fields: arrays of the shape ``(ny, nx)`` in, an array of that shape or one number
 out. For estimates over the smooth contact they are also called with arrays of one value, so they must not count on a shape.
 
-A law must give finite numbers, and the same ones for the same arguments. What it raises, and anything it returns that is not such a field,
+A law must give finite numbers, and the same ones for the same arguments. An exception, and a return value other than such a field,
 ends the step with a :class:`~stribeck.LawError` and leaves the simulation as before.
 """
 
@@ -159,7 +159,7 @@ class Motion:
 
 @dataclass
 class ContactState:
-    """What a solver starts from and where it leaves its result: arrays of the shape ``(ny, nx)``, to be written into or replaced.
+    """Start and result of a solver: arrays of the shape ``(ny, nx)``, to be written into or replaced.
 
     A solver finds ``pressure``, ``fluid_pressure`` [Pa] and ``approach`` [m]. Films, the share ``theta`` of the gap that is filled, plastic depth
     and contact flags follow from them (:meth:`ContactProblem.evaluate`); where the fluid itself is at the pressure limit ``plastic_depth`` is an
@@ -235,7 +235,7 @@ class ContactSolver(Protocol):
     """A solver of contacts. A plain function of the same arguments will do.
 
     The crate evaluates the state that is left: residuals above twice the tolerance are no solution, whatever is returned, and the status is
-    ``unverified``. What is found depends on problem and state alone."""
+    ``unverified``. The result depends on problem and state alone."""
 
     def solve(self, problem: ContactProblem, state: ContactState) -> bool:
         """Leaves the best state found in ``state``; returns True where it has converged and False where it has not. Anything else is a

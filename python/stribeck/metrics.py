@@ -1,6 +1,6 @@
 """Numbers that describe surfaces, films and contacts. Arrays have the shape ``(ny, nx)``; numbers are SI, or text with a unit.
 
-``heights`` may be an array, a masked array, a :class:`~stribeck.surface.Surface` or what it is made of. Points that are undefined, masked,
+``heights`` may be an array, a masked array, a :class:`~stribeck.surface.Surface` or any argument of its constructor. Points that are undefined, masked,
 NaN or infinite are left out; ``undefined`` says how many."""
 
 from __future__ import annotations

@@ -19,8 +19,8 @@ __all__ = ["Point", "Sweep"]
 
 class Point(SolvedContact):
     """One point of a sweep: the numbers of its solution by their names, empty where it was refused. ``inputs`` are its values in SI units by
-    their keys, ``status`` that of the solve (``"refused"`` for one that raised, ``"lost"`` where the executor failed), ``error`` what was raised,
-    ``warnings`` those of the solution and ``measured`` what the measure returned."""
+    their keys, ``status`` that of the solve (``"refused"`` for one that raised, ``"lost"`` where the executor failed), ``error`` the exception,
+    ``warnings`` those of the solution and ``measured`` the values of the measure."""
 
     __slots__ = ("error", "inputs", "measured", "warnings")
 

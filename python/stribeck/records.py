@@ -1,4 +1,4 @@
-"""What a history leaves: records of its steps, and its bodies."""
+"""Records of the steps of a history, and its bodies."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ _SHOWN = (
 
 class Record(Numbers):
     """The numbers of one step, all SI, under the names of a solution: ``time``, ``contact.load_ratio``, ``film.lambda_``,
-    ``friction.coefficient``, ``wear.disc_mean`` and so on. What is not modelled is None. ``warnings`` is what this step has found
-    that is unlikely to be meant or to hold; no later step repeats it."""
+    ``friction.coefficient``, ``wear.disc_mean`` and so on. Values that are not modelled are None. ``warnings`` lists
+    the warnings that this step has raised; no later step repeats them."""
 
     __slots__ = ("warnings",)
 
@@ -169,8 +169,8 @@ class History(Sequence[Record]):
         self._records.append(record)
 
     def to_numpy(self) -> npt.NDArray[np.void]:
-        """A structured array of the shape ``(steps,)``, a field for each column: ``array["film.mean_central"]``; what is not
-        modelled is NaN. ``pandas.DataFrame`` takes it."""
+        """A structured array of the shape ``(steps,)``, a field for each column: ``array["film.mean_central"]``; values that are not
+        modelled are NaN. ``pandas.DataFrame`` takes it."""
         kinds = [(name, _TEXTS.get(name, np.int64 if name in _WHOLES else np.float64)) for name in COLUMNS]
         return np.array([tuple(record.column(name) for name in COLUMNS) for record in self._records], dtype=kinds)
 

@@ -186,7 +186,7 @@ class Scene:
         return cast(Hertz, Numbers(self._raw.hertz()))
 
     def expectation(self) -> Expectation:
-        """What to expect by formula, without solving: ``film.map.regime``, ``film.central`` [m] (smooth and flooded), ``film.lambda_``,
+        """Estimates by formula, without solving: ``film.map.regime``, ``film.central`` [m] (smooth and flooded), ``film.lambda_``,
         ``film.load_ratio`` and ``film.load_ratio_range`` (share of the load on solids), ``film.friction`` (of solids and of the isothermal fluid),
         ``film.film_rise`` and ``flash_rise`` [K], ``roughness.composite_rq`` [m]. ``film`` is None for a dry contact; where no formula holds a number is None.
         Warnings about physics that the scene leaves out are issued.
@@ -228,7 +228,7 @@ class Scene:
 
     @property
     def warnings(self) -> list[StribeckWarning]:
-        """What is unlikely to be meant or to hold, as far as it is known without solving."""
+        """Warnings that are known without solving."""
         return found(self._raw.warnings())
 
     def __eq__(self, other: object) -> bool:
@@ -259,7 +259,7 @@ class Scene:
 
 
 def as_scene(source: Scene | Mapping[str, Any] | str | os.PathLike[str]) -> Scene:
-    """The scene itself, or one of what :class:`Scene` takes."""
+    """The scene itself, or a new one from any argument of :class:`Scene`."""
     return source if isinstance(source, Scene) else Scene(source)
 
 

@@ -67,7 +67,7 @@ class Solution(Solved, SolvedContact):
 
     @property
     def warnings(self) -> list[StribeckWarning]:
-        """What is unlikely to be meant or to hold, of the scene, its surfaces and the solution."""
+        """Warnings of the scene, its surfaces and the solution."""
         return found(self["warnings"])
 
     def save_fields(self, path: str | os.PathLike[str]) -> None:
@@ -124,11 +124,11 @@ def solve(
     ``deformation`` a model of the elastic bodies, ``viscosity`` and ``density`` are laws of the lubricant, ``plasticity`` is the largest pressure of the
     bodies (:mod:`stribeck.laws`). ``solver`` is the name of a solver in place of that of the scene, or one in Python, ``start`` a solution on the same
     grid whose pressures are a first guess. After ``budget`` [s] the solve ends with :class:`~stribeck.InterruptedSolve`, at its next iteration or
-    between two parts of its preparation, refined grids included. Other threads run meanwhile; Ctrl-C ends the solve. The logger ``stribeck`` says status and work of each solve at the level ``INFO``. What is unlikely to be meant is said as a
-    :class:`~stribeck.StribeckWarning` and stands in ``warnings`` of the solution.
+    between two parts of its preparation, refined grids included. Other threads run meanwhile; Ctrl-C ends the solve. The logger ``stribeck`` logs status and work of each solve at the level ``INFO``. Implausible input is issued as a
+    :class:`~stribeck.StribeckWarning` and listed in ``warnings`` of the solution.
 
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
-    for what cannot be solved.
+    for a scene that cannot be solved.
     """
     given = {"friction": friction, "deformation": deformation, "viscosity": viscosity, "density": density, "plasticity": plasticity}
     solution = _solution(scene, heights=heights, bodies=bodies, solver=solver, start=start, budget=budget, **given)
@@ -206,7 +206,7 @@ def parts(
     bodies: tuple[BodyStart | None, BodyStart | None] | None,
     laws: dict[str, Any],
 ) -> dict[str, Any]:
-    """What stands in place of parts of a scene, as the compiled module takes it."""
+    """Replacements of parts of a scene, converted for the compiled module."""
     ball, disc = _both(heights)
     ball_start, disc_start = _two("bodies", bodies) if bodies is not None else (None, None)
     for name, body in (("ball", ball_start), ("disc", disc_start)):

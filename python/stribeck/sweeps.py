@@ -48,7 +48,7 @@ def sweep(
     Parameters
     ----------
     scene
-        A scene, or what :class:`Scene` takes.
+        A scene, or any argument of :class:`Scene`.
     over
         Lists or arrays of values by the paths of their keys: ``{"motion.entrainment_speed": [0.1, 0.2], "load.force": ["10 N", "20 N"]}``.
     how

@@ -138,6 +138,7 @@ impl Auto {
     ) -> Result<SolveReport, ReynoldsError> {
         let given = self.paper_start.get_or_insert_with(|| state.clone());
         given.clone_from(state);
+        // Without solid contact both definitions have the same solution.
         let mut hard = problem.copied().with_contact(ContactDefinition::Hard);
         let open = self.lubricated(&mut hard, state, stop)?;
         let touches = state.in_contact.contains(&true);
@@ -160,6 +161,7 @@ impl Auto {
         if !Multigrid::suits(problem) || problem.gap.len() <= FEW_NODES {
             return self.newton_then_sweeps(problem, state, stop);
         }
+        // Multigrid first; its start is kept for Newton's method.
         let given = self.kept.get_or_insert_with(|| state.clone());
         given.clone_from(state);
         let first = match self.multigrid.solve(problem, state, stop) {
@@ -170,6 +172,7 @@ impl Auto {
         if first.status == Status::Converged {
             return Ok(first);
         }
+        // Newton's method continues a state that is nearly solved, else begins again.
         let is_near = first.status != Status::MeshTooCoarse && first.residual.max() < HAND_OVER.residual;
         if !is_near && let Some(given) = &self.kept {
             state.clone_from(given);
@@ -196,9 +199,11 @@ impl Auto {
         if first.status == Status::Converged || state.in_contact.contains(&true) {
             return Ok(first);
         }
+        // A full film: sweeps may still converge.
         let kept = self.kept.get_or_insert_with(|| state.clone());
         kept.clone_from(state);
         let second = self.sweeps.solve(problem, state, stop)?;
+        // The better of both states.
         let off_load = second.residual.load > first.residual.load.max(stop.tolerance);
         if second.residual.max() <= first.residual.max() && !off_load {
             return Ok(second.preceded_by(first));

@@ -79,6 +79,7 @@ impl Coupled {
         self.near = NearField { own: influence(0, 0), next_x: influence(1, 0), second_x: influence(2, 0) };
         self.fluid.configure(problem);
         self.convolutions = 0.0;
+        // No node is in contact before the first evaluation.
         for side in &mut self.active_set {
             let fluid = if side.fluid == Fluid::Boundary { Fluid::Boundary } else { Fluid::Cavitated };
             *side = NodeState { fluid, solid: Solid::Open };
@@ -182,6 +183,7 @@ impl Coupled {
     ) {
         let previous = problem.squeeze.map(|s| s.previous_mass);
         self.fluid.update(lubricant, fluid_pressure, film, previous);
+        // Net outflow of every cell.
         for k in interior(&self.fluid.grid) {
             self.balance[k] = self.fluid.balance(k, previous);
         }

@@ -125,6 +125,7 @@ impl Evaluation {
     ) -> Result<Residuals, ReynoldsError> {
         self.prepare(problem, state)?;
         self.coupled.configure(problem);
+        // The active set of the state is not known.
         let residuals = self.coupled.evaluate(problem, state, Changed::Everything)?;
         self.coupled.mark_contact(problem, state);
         Ok(residuals)

@@ -21,6 +21,7 @@ impl LubricatedContact<'_> {
         InputError::require_positive("reference_half_widths.1", self.reference_half_widths.1)?;
         InputError::require_positive("reference_pressure", self.reference_pressure)?;
         InputError::require_non_negative("reference_film", self.reference_film)?;
+        // The stencil needs two nodes on each side.
         InputError::require(grid.nx() >= 5, "grid.nx", grid.nx() as f64, "at least 5 for a contact solve")?;
         InputError::require(
             grid.ny() == 1 || grid.ny() >= 5,
@@ -28,6 +29,7 @@ impl LubricatedContact<'_> {
             grid.ny() as f64,
             "at least 5 for a contact solve, or 1 for a line contact",
         )?;
+        // Oil and its supply.
         if self.lubricant.is_some() {
             InputError::require_positive("film_cutoff", self.film_cutoff)?;
             if self.squeeze.is_none() || self.entrainment_speed != 0.0 {
@@ -51,6 +53,7 @@ impl LubricatedContact<'_> {
                 self.cavitation.require_conserved("supplied_film", film)?;
             }
         }
+        // Edges and squeeze.
         if let Some(edge) = self.edge_pressure {
             grid.require_field("edge_pressure.field", edge.field)?;
             let low = edge.field.iter().copied().fold(0.0, f64::min);
@@ -73,6 +76,7 @@ impl LubricatedContact<'_> {
         if let Some(&low) = limit.iter().find(|&&p| p <= 0.0) {
             InputError::require_positive("pressure_limit", low)?;
         }
+        // The load that all inner nodes carry at the limit.
         let largest: f64 = interior(grid).map(|k| limit[k]).sum::<f64>() * grid.cell_area();
         let Some(load) = self.box_load() else { return Ok(()) };
         if load >= largest {

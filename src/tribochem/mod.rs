@@ -16,6 +16,7 @@
 
 mod activation;
 mod barrier;
+mod cell_heat;
 mod film;
 mod first_order;
 #[cfg(feature = "fit")]

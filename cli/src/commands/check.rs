@@ -129,7 +129,7 @@ impl Expected {
         let parts: Vec<Value> = self
             .parts
             .iter()
-            .map(|part| json!({ "what": part.what, "modelled": part.modelled, "why": part.why }))
+            .map(|part| json!({ "part": part.name, "modelled": part.modelled, "why": part.why }))
             .collect();
         let (hertz, grid, [inlet, outlet]) = (&self.hertz, self.sim.grid(), self.room());
         let film = self.expectation.film;

@@ -59,7 +59,7 @@ pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
 pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
     let (grid, state) = (&seen.grid, seen.state);
     let row = (0..grid.ny()).min_by(|a, b| grid.y(*a).abs().total_cmp(&grid.y(*b).abs())).unwrap_or(0);
-    // The ends hold what the boundary says.
+    // The ends hold the boundary condition.
     let columns = inner(grid.nx());
     let nodes = row * grid.nx() + columns.start..row * grid.nx() + columns.end;
     let line = |name, colour, values: &[f64], factor: f64| Line {
@@ -104,12 +104,12 @@ fn hertz_line(seen: &Seen<'_>, row: usize, columns: std::ops::Range<usize>) -> L
     Line { name: "Hertz", colour: GREEN, points, bands: Vec::new() }
 }
 
-/// What films are called.
+/// Name of the film.
 fn film_name(seen: &Seen<'_>) -> &'static str {
     if seen.lubricated { "film (nm)" } else { "gap (nm)" }
 }
 
-/// A film \[m\] that few nodes of the Hertz contact exceed: what lies outside of it is thicker by far.
+/// A film \[m\] that few nodes of the Hertz contact exceed: films outside of it are thicker by far.
 fn thick_film(seen: &Seen<'_>) -> f64 {
     let inside = |(x, y): (f64, f64)| seen.hertz.radius_squared(x, y) <= 1.0;
     let nodes = seen.grid.nodes().zip(&seen.state.film);

@@ -41,7 +41,7 @@ const GAP_BEYOND: f64 = 1.2;
 const ROOM: f64 = 0.3;
 /// Young's modulus \[Pa\] and Poisson's ratio of steel.
 const STEEL: (f64, f64) = (210e9, 0.3);
-/// What warnings that answers can mend are about.
+/// Fields of the warnings that other answers can remove.
 const LARGEST_PRESSURE: &str = "pressure.max";
 const CENTRAL_FILM: &str = "film.central";
 /// Wanted error of a smooth contact.
@@ -159,8 +159,8 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     Ok(Outcome::Converged)
 }
 
-/// The scene file and its text: what is written here must be read there, and be solved without a warning, which
-/// is tried where it does not take long. Smooth contacts then ask for an accuracy.
+/// The scene file and its text: the text must be a valid scene that solves without a warning, which
+/// is tried if the solve is short. Smooth contacts then have an accuracy.
 fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<dyn Error>> {
     let mut text = scene(options, answers)?;
     let mut scene = Scene::from_toml(&text)?;
@@ -262,7 +262,7 @@ fn bodies(options: &Options, answers: &Answers) -> Result<String, std::fmt::Erro
     let (modulus, ratio) = STEEL;
     writeln!(
         text,
-        "# A steel ball on a steel disc in oil. Numbers are in SI units or have a unit. `stribeck check` says what to expect of the\n\
+        "# A steel ball on a steel disc in oil. Numbers are in SI units or have a unit. `stribeck check` estimates the\n\
          # contact, `stribeck solve` solves it, `stribeck curve` varies the speed. Every key: docs/scene.md.\n\n\
          [form]\nkind = \"sphere\"\nradius = {}\n",
         answers.radius.entry()

@@ -67,7 +67,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     }
     claim(options, &scene)?;
     let (held, known) = (Held::default(), scene.warnings());
-    // At the first iteration, before what may take long.
+    // At the first iteration, before the long part.
     held.hold_warnings(&known);
     output::announce_memory(&scene, &held).map_err(|error| output::in_scene(&options.scene, &error))?;
     let refines = scene.solver.accuracy.is_some() || matches!(scene.grid, GridSpec::Accuracy { .. });

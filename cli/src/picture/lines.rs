@@ -36,7 +36,7 @@ pub(crate) struct Line {
     pub(crate) bands: Vec<(f64, [f64; 2])>,
 }
 
-/// A pair of axes and what is drawn in it.
+/// A pair of axes with its curves.
 pub(crate) struct Panel {
     pub(crate) y_label: String,
     pub(crate) lines: Vec<Line>,

@@ -20,7 +20,7 @@ pub(crate) use lines::{Chart, Line, Panel, Scale, UpperAxis};
 pub(crate) use maps::{Map, Maps};
 pub(crate) use page::Page;
 
-/// Blue, vermilion and green of the palette of Okabe and Ito: told apart by all kinds of colour vision.
+/// Blue, vermilion and green of the palette of Okabe and Ito: distinct with all kinds of colour vision.
 pub(crate) const BLUE: RGBColor = RGBColor(0, 114, 178);
 pub(crate) const VERMILION: RGBColor = RGBColor(213, 94, 0);
 pub(crate) const GREEN: RGBColor = RGBColor(0, 158, 115);
@@ -114,7 +114,7 @@ pub(crate) fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
         .unwrap_or((0.0, 0.0))
 }
 
-/// The places along a side of `n` nodes without its ends, which hold what the boundary says.
+/// The places along a side of `n` nodes without its ends, whose values are those of the boundary condition.
 pub(crate) fn inner(n: usize) -> Range<usize> {
     if n > 2 { 1..n - 1 } else { 0..n }
 }

@@ -165,11 +165,11 @@ impl Function {
         }
     }
 
-    fn refused(&self, py: Python<'_>, what: &str, value: Bound<'_, PyAny>) -> PyErr {
-        raise(py, "LawError", &format!("the {} {what}", self.name), Some(self.name), Some(value))
+    fn refused(&self, py: Python<'_>, reason: &str, value: Bound<'_, PyAny>) -> PyErr {
+        raise(py, "LawError", &format!("the {} {reason}", self.name), Some(self.name), Some(value))
     }
 
-    /// What the law raised, as the cause of a typed error; what ends a program goes on as it is.
+    /// The exception of the law as the cause of a typed error; exceptions that end a program pass unchanged.
     fn raised(&self, py: Python<'_>, error: PyErr) -> PyErr {
         raised(py, self.name, error)
     }

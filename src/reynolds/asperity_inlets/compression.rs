@@ -36,6 +36,7 @@ impl EdgePressures {
     pub(super) fn tabulate(&mut self, oil: &Lubricant, largest: f64) {
         self.pressure.clear();
         self.rise.clear();
+        // Pressures in a geometric series.
         let ratio = LOWEST.powf(-1.0 / (PRESSURES - 1) as f64);
         let pressures = (0..PRESSURES).map(|i| largest * LOWEST * ratio.powi(i as i32));
         self.pressure.extend(pressures);
@@ -123,6 +124,7 @@ impl Densities {
         let [far, near] = FLANK;
         let factor = (near / far).powf(1.0 / STEPS as f64);
         let (mut reduced, mut s) = (0.0, far);
+        // Midpoint rule along the flank.
         for _ in 0..STEPS {
             let next = s * factor;
             let slope = |reduced: f64, s: f64| {

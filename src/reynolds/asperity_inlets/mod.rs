@@ -140,6 +140,7 @@ impl AsperityInlets {
         let inlets = Inlets { edges: &self.edges, oil, entrainment, contact_film };
         let field = Field { grid: problem.grid(), pressure: &state.pressure, gap: &state.film };
         self.split.fill(&field, &inlets);
+        // Films: contact film in the runs, the dry gap between them, both lifted by the runs that float.
         let lift = self.split.lift(contact_film);
         state.fluid_pressure.copy_from_slice(&self.split.fluid);
         state.in_contact.copy_from_slice(&self.split.solid);

@@ -45,11 +45,13 @@ impl Split {
         for j in 0..field.grid.ny() {
             let mut i = 0;
             while i < nx {
+                // A run of nodes in contact, from its upstream edge on.
                 let front = i;
                 while i < nx && field.pressure[j * nx + i] > 0.0 {
                     i += 1;
                 }
                 if i > front {
+                    // Rise of the reduced pressure in its inlet.
                     let rise = inlets.entrainment * rise_in_inlet(field, j, front, inlets.contact_film);
                     self.run(j * nx + front..j * nx + i, field.pressure, rise, inlets);
                 }
@@ -61,12 +63,14 @@ impl Split {
     /// Splits one run of nodes under pressure along x. The flow of the inlet passes the run unchanged.
     fn run(&mut self, run: std::ops::Range<usize>, pressure: &[f64], rise: f64, inlets: &Inlets<'_>) {
         let contact_film = inlets.contact_film;
+        // It floats where the inlet generates its whole pressure.
         let peak = run.clone().map(|k| pressure[k]).fold(0.0, f64::max);
         let needed = inlets.edges.needed_rise(peak);
         let floats = rise >= needed;
         let edge = if floats { peak } else { inlets.edges.pressure(rise).min(peak) };
         let film = if floats { contact_film * (rise / needed).powf(LIFT) } else { contact_film };
         let carried = inlets.oil.at(edge).density;
+        // The fluid carries the pressure of the edge, solids the rest.
         for k in run {
             self.solid[k] = pressure[k] > edge;
             self.fluid[k] = pressure[k].min(edge);

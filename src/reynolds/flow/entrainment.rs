@@ -56,6 +56,7 @@ impl FaceFilm {
     #[inline]
     pub(super) fn limited(up: f64, own: f64, next: f64) -> Self {
         let (behind, ahead) = (own - up, next - own);
+        // Minmod: zero at extrema, else the smaller difference.
         if behind * ahead <= 0.0 {
             Self::default()
         } else if behind.abs() <= ahead.abs() {
@@ -88,6 +89,7 @@ impl DensityRise {
         if own.1 >= up.1 {
             return Self { rise: half, by_density: 0.5, by_own_film: 0.0, by_up_film: 0.0 };
         }
+        // Weighted by the square of the film ratio where the film decreases.
         let ratio = own.1 / up.1;
         let weight = ratio * ratio;
         let slope = 2.0 * half * ratio / up.1;

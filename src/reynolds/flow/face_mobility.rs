@@ -114,6 +114,7 @@ impl FaceFlow {
         if !(rise > 0.0 && fall > 0.0) {
             return self;
         }
+        // Factor of a density that rises where the film decreases.
         let factor = 1.0 + rise * fall;
         let by = |[p, h]: [f64; 2], factor_p: f64, factor_h: f64| {
             [factor * p + self.mobility * factor_p, factor * h + self.mobility * factor_h]
@@ -158,10 +159,12 @@ fn wedge(a: f64, b: f64, direction: Direction) -> [f64; 5] {
         return [0.0; 5];
     }
     let ab = a * b;
+    // Exact mean of the cubes for a film that is linear between the nodes.
     let exact = 2.0 * ab * ab / sum;
     let (by_a, by_b) = ((4.0 * ab * b - exact) / sum, (4.0 * ab * a - exact) / sum);
     match direction {
         Direction::Along(face, inlet) if a > b => {
+            // A converging film with entrainment: by the film of the face and the inlet factor.
             let whole = 2.0 * ab * a;
             let even = whole * face - exact;
             [

@@ -79,6 +79,7 @@ impl ShearThinning {
             let [by_pressure, by_film] = derivatives.map(|by| if slope == 0.0 { 0.0 } else { slope * by });
             ViscosityRatio { value, by_pressure, by_film }
         };
+        // The secant viscosity across the sliding, the tangent along it.
         let across = ratio(self.law.secant(x));
         NodeRatios { along: if self.is_directional { ratio(self.law.tangent(x)) } else { across }, across }
     }

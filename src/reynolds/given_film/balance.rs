@@ -376,6 +376,7 @@ impl<'a> Balance<'a> {
         outflow.fill(0.0);
         stencil.fill(0.0);
         let (mut boundary_flux, mut terms) = ([0.0; 2], 0.0);
+        // Adds the flow of a face to the balances of both nodes, or to that of the box.
         let mut add = |flow: Flow, first: Option<usize>, second: Option<usize>, forward: usize| {
             terms += flow.terms;
             if let Some(k) = first {
@@ -395,12 +396,14 @@ impl<'a> Balance<'a> {
                 stencil[STENCIL * second + forward + 1] -= flow.by_first;
             }
         };
+        // Faces along x.
         for j in 0..ny {
             for i in 0..=nx {
                 let first = i.checked_sub(1).map(|i| j * nx + i);
                 add(self.flow_along(i, j), first, (i < nx).then_some(j * nx + i), 1);
             }
         }
+        // Faces along y.
         for j in 0..=ny {
             for i in 0..nx {
                 let first = j.checked_sub(1).map(|j| j * nx + i);

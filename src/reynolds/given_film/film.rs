@@ -99,6 +99,7 @@ impl FilmThickness {
         check_values(film)?;
         let (nx, ny) = (grid.nx(), grid.ny());
         let (half_x, half_y) = (0.5 * grid.dx(), 0.5 * grid.dy());
+        // Half cells on both sides of each face.
         let mut along = Vec::with_capacity((nx + 1) * ny);
         for row in film.chunks_exact(nx) {
             for i in 0..=nx {
@@ -111,6 +112,7 @@ impl FilmThickness {
                 });
             }
         }
+        // The same along y.
         let mut across = Vec::with_capacity(nx * (ny + 1));
         for j in 0..=ny {
             for i in 0..nx {
@@ -137,6 +139,7 @@ impl FilmThickness {
             let end = if i == n { first + d * (n as f64 - 0.5) } else { first + d * i as f64 };
             [start, end]
         };
+        // Each interval is sampled between its nodes.
         let mut along = Vec::with_capacity((nx + 1) * ny);
         for y in (0..ny).map(|j| grid.y(j)) {
             for i in 0..=nx {
@@ -151,6 +154,7 @@ impl FilmThickness {
                 across.push(south.cubes + north.cubes);
             }
         }
+        // A film that is zero or not finite between nodes shows in an integral.
         let pieces = along
             .iter()
             .flat_map(|face_integral| face_integral.pieces)
@@ -211,10 +215,12 @@ impl FilmThickness {
         if (coarse_x, coarse_y) == (nx, ny) {
             return None;
         }
+        // The same box with half the cells.
         let edges = |first: f64, d: f64, n: usize| [first - 0.5 * d, first + d * (n as f64 - 0.5)];
         let x = edges(self.grid.x(0), self.grid.dx(), nx);
         let y = edges(self.grid.y(0), self.grid.dy(), ny);
         let grid = Grid::from_edges(coarse_x, coarse_y, x, y).ok()?;
+        // Films of the nearest nodes.
         let of = |i: usize, n: usize, coarse: usize| ((2 * i + 1) * n / (2 * coarse)).min(n - 1);
         let film: Vec<f64> = (0..coarse_y)
             .flat_map(|j| (0..coarse_x).map(move |i| of(j, ny, coarse_y) * nx + of(i, nx, coarse_x)))
@@ -244,6 +250,7 @@ fn face_integral(film: impl Fn(f64) -> f64, ends: [f64; 2]) -> FaceIntegral {
     let at = |share: f64| film(start + share * (end - start));
     let (mut low, mut high) = (0.0, 1.0);
     let (mut film_low, mut film_high) = (at(low), at(high));
+    // Bisection for the steepest change of the film.
     for _ in 0..HALVINGS {
         if (film_high - film_low).abs() <= SMOOTH * film_low.min(film_high) {
             break;
@@ -258,6 +265,7 @@ fn face_integral(film: impl Fn(f64) -> f64, ends: [f64; 2]) -> FaceIntegral {
     }
     let jumps = (film_high - film_low).abs() > SMOOTH * film_low.min(film_high);
     let share = if jumps { (0.5_f64 * (low + high)).clamp(CLOSEST, 1.0 - CLOSEST) } else { 0.5 };
+    // Gauss' rule on both sides of it.
     let piece = |from: f64, to: f64| {
         let length = 0.5 * (to - from) * (end - start);
         let [one, other] = PLACES.map(|place| Piece::constant(at(from + place * (to - from)), length));

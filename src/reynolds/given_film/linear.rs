@@ -53,6 +53,7 @@ impl LinearSolver {
         let Self { nx, method, residual } = self;
         match method {
             Method::Row { below, diagonal, above } => {
+                // A single row: the Thomas algorithm.
                 for (k, row) in stencil.chunks_exact(STENCIL).enumerate() {
                     (diagonal[k], above[k], below[k]) = (row[0], row[1], row[2]);
                 }
@@ -61,6 +62,7 @@ impl LinearSolver {
                 x.iter().all(|x| x.is_finite()).then_some(1)
             }
             Method::Plane { lu, stencil: single, rhs: part } => {
+                // A plane: factorize in single precision.
                 for (single, value) in single.iter_mut().zip(stencil) {
                     *single = *value as f32;
                 }
@@ -72,6 +74,7 @@ impl LinearSolver {
                 let start = norm(residual);
                 let mut left = start;
                 let mut substitutions = 0;
+                // Iterative refinement with residuals in double precision.
                 for _ in 0..MAX_REFINEMENTS {
                     if left <= TOLERANCE * start {
                         break;

@@ -59,6 +59,7 @@ impl Row {
             cavitated_shear: 0.0,
             reformation: None,
         };
+        // From edge to edge, node by node.
         let [first, last] = [WEST, EAST].map(|edge| problem.end_pressure(edge, j, grid));
         row.profile.push([west, first]);
         let (mut before, mut x) = (first, west);
@@ -100,6 +101,7 @@ impl Row {
             let whole = balance.entrained * density * piece.squares - flow.value * piece.cubes;
             balance.drag * balance.free_share(i, j) * whole
         });
+        // Reduced pressure at the joint of the two pieces.
         let cavitated = first.theta < 1.0;
         let potential = if flow.ruptured {
             0.0
@@ -133,11 +135,13 @@ impl Row {
         } else {
             self.profile.push([split, middle]);
         }
+        // Film fraction behind a rupture, by the flow.
         let behind = if flow.ruptured {
             (flow.value / (balance.cavitated_density * pieces[1].film())).min(1.0)
         } else {
             first.theta
         };
+        // Shear of both pieces.
         let ends = [[pressures[0], middle], [middle, pressures[1]]];
         let nominal = problem.film.along(i, j).pieces;
         for (((piece, length), theta), ends) in
@@ -157,6 +161,7 @@ impl Row {
     ) {
         let sliding = problem.speeds[1] - problem.speeds[0];
         let viscosity = problem.lubricant.viscosity().viscosity(0.5 * (from + to));
+        // Couette and Poiseuille parts, with the factors of rough surfaces.
         let by_sliding = viscosity * theta * sliding * length / film;
         let [lower, upper, gradient] = problem.roughness.map_or([1.0; 3], |rough| rough.shear_factors(film));
         let by_pressure = gradient * 0.5 * film * (to - from);

@@ -80,6 +80,7 @@ impl GivenFilmSolution {
         let profile = self.profiles.get(row).filter(|_| !x.is_nan())?;
         let next = profile.partition_point(|point| point[0] < x);
         let (before, after) = (profile.get(next.max(1) - 1)?, profile.get(next).or(profile.last())?);
+        // Linear between two points of the profile.
         let width = after[0] - before[0];
         let share = if width > 0.0 { ((x - before[0]) / width).clamp(0.0, 1.0) } else { 0.0 };
         Some(before[1] + share * (after[1] - before[1]))
@@ -114,6 +115,7 @@ impl GivenFilmSolution {
 pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
     let speed = problem.entrainment_speed();
     let mut solution = if speed < 0.0 {
+        // Flow along -x is solved as its mirror image.
         let film = problem.film.mirrored();
         let speeds = problem.speeds.map(|speed| -speed);
         let [west, east, south, north] = problem.edge_pressures;
@@ -133,6 +135,7 @@ pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> 
 
 /// Solves with entrainment along +x or without entrainment.
 fn forward(problem: &GivenFilm<'_>, speed: f64, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
+    // Without speed and pressure differences the film rests.
     let pressure = problem.edge_pressures[WEST];
     let feeds = problem.feeds.iter().map(|feed| feed.pressure);
     if speed > 0.0
@@ -150,6 +153,7 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     let pressure = problem.edge_pressures[WEST];
     let viscosity = problem.lubricant.viscosity().viscosity(pressure);
     let ways = (0..grid.ny()).flat_map(|j| (0..=grid.nx()).map(move |i| (i, j)));
+    // Drag of the film under uniform pressure.
     let shear = ways.map(|(i, j)| {
         let lengths = lengths(problem.film, i, j);
         let [first, second] = problem.film.along(i, j).pieces;
@@ -183,6 +187,7 @@ fn flowing(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilm
     let rows: Vec<Row> = (0..grid.ny()).map(|j| Row::new(problem, &solved, j)).collect();
     let Solved { balance, unknowns, status, residual, boundary_flux, steps, substitutions, coarse_steps } =
         solved;
+    // Flows in m^3/s, forces summed over the rows.
     let unit = if speed > 0.0 { speed } else { 1.0 } * grid.dy();
     let edge_flows = balance.edge_flows().map(|flow| flow * unit);
     let sum = |of: fn(&Row) -> f64| rows.iter().map(of).sum::<f64>() * grid.dy();

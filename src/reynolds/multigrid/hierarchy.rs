@@ -123,6 +123,7 @@ impl Hierarchy {
             level.load = problem.load;
             level.is_evaluated = false;
         }
+        // Gap and previous masses on the finest grid.
         let finest = self.finest_mut();
         finest.gap.copy_from_slice(problem.gap);
         match problem.squeeze {
@@ -136,6 +137,7 @@ impl Hierarchy {
                 }
             }
         }
+        // And restricted to the coarser ones.
         for l in (0..self.top()).rev() {
             let Self { levels, transfers, .. } = self;
             let (coarse, fine) = pair(levels, l);
@@ -171,6 +173,7 @@ impl Hierarchy {
         if self.levels[l].is_evaluated {
             return Ok(());
         }
+        // Elastic film: displacement plus gap minus approach.
         self.displace(problem, l)?;
         let (level, approach) = (&mut self.levels[l], self.approach);
         for (h, gap) in level.film.iter_mut().zip(&level.gap) {

@@ -118,6 +118,7 @@ impl Level {
         self.fluid.update(lubricant, &self.pressure, &self.film, self.previous.as_deref());
         self.is_evaluated = true;
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        // Conductances of the faces, for the relaxation.
         for j in 0..ny - 1 {
             for k in j * nx..(j + 1) * nx - 1 {
                 [self.east[k], self.north[k]] = self.fluid.conductances(k, &self.pressure);

@@ -186,6 +186,7 @@ impl ContactSolver for Multigrid {
     }
 
     fn unsupported(&self, problem: &LubricatedContact<'_>) -> Option<&'static str> {
+        // Grids first, then the flow, then the body.
         let grid = problem.grid();
         [
             (grid.ny() == 1, "a line contact has no second axis to coarsen"),
@@ -282,6 +283,7 @@ impl Workspace {
                 work.iterations += 1;
             }
         }
+        // The best state is returned, not the last one.
         if best.is_finite() {
             state.clone_from(&self.best);
             self.coupled.evaluate(problem, state, Changed::Pressures)?;
@@ -301,6 +303,7 @@ impl Workspace {
         self.hierarchy.configure(problem);
         self.acceleration.reset();
         self.history.clear();
+        // A cold start is full multigrid from the coarsest grid.
         if state.pressure.iter().all(|&p| p <= 0.0) {
             self.hierarchy.start(problem, lubricant)
         } else {
@@ -315,11 +318,13 @@ impl Workspace {
         lubricant: &Lubricant,
         state: &mut ContactState,
     ) -> Result<Residuals, ReynoldsError> {
+        // Pressure to the state.
         state.approach = self.hierarchy.approach;
         let finest = self.hierarchy.finest_mut();
         state.pressure.copy_from_slice(&finest.pressure);
         state.fluid_pressure.copy_from_slice(&finest.pressure);
         let residuals = self.coupled.evaluate(problem, state, Changed::Pressures)?;
+        // Film back to the grid.
         finest.film.copy_from_slice(&self.coupled.elastic_film);
         finest.update_flow(lubricant);
         Ok(residuals)

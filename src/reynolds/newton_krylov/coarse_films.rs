@@ -98,6 +98,7 @@ impl CoarseFilms {
         films: &[f64],
         pressures: &mut [f64],
     ) -> f64 {
+        // Pressures and films of the blocks.
         self.residual.fill(0.0);
         self.direction.fill(0.0);
         for (pressure, &block) in pressures.iter().zip(&self.block) {
@@ -112,6 +113,7 @@ impl CoarseFilms {
         for ((r, image), (root, inverse)) in self.residual.iter_mut().zip(&self.image).zip(roots) {
             *r = *r * inverse - root * image;
         }
+        // Corrections of the blocks, spread over their nodes.
         let cost = COST * (1.0 + self.solve());
         for k in given.iter().map(|&k| k as usize) {
             let block = self.block[k] as usize;
@@ -126,6 +128,7 @@ impl CoarseFilms {
         for k in given.iter().map(|&k| k as usize) {
             self.scratch[self.block[k] as usize] += weights[k] * values[k];
         }
+        // Means over the blocks, subtracted from their nodes.
         for (mean, per_root) in self.scratch.iter_mut().zip(&self.per_root) {
             *mean *= per_root * per_root;
         }

@@ -127,12 +127,14 @@ impl Globalization {
     /// Takes the residual of a state. Without a halved residual for long, the step bound is tightened. States
     /// with a relaxed contact film do not count.
     pub(super) fn update_progress(&mut self, problem: &LubricatedContact<'_>, residual: f64) {
+        // Residuals with another contact film do not compare.
         if self.homotopy.relaxes_film(problem) {
             return;
         }
         self.since_halved += 1;
         if residual <= PROGRESS * self.halved {
             (self.halved, self.since_halved) = (residual, 0);
+        // Without progress the step bound shrinks, and residuals may no longer grow.
         } else if self.since_halved.is_multiple_of(BACKTRACK_AFTER) {
             self.largest_step_bound *= 0.5;
             self.step_bound = self.step_bound.min(self.largest_step_bound);
@@ -157,9 +159,11 @@ impl Globalization {
         } else {
             GROWTH
         };
+        // Next contact film of the homotopy.
         if is_homotopy {
             self.homotopy.advance(problem);
         }
+        // The pseudo-transient term vanishes with the residual, and decays from step to step.
         let share = if is_homotopy { 1.0 } else { (residual / self.warm_start_threshold).min(1.0) };
         let pseudo_transient = share * self.pseudo_transient.0;
         self.pseudo_transient.0 *= self.pseudo_transient.1;
@@ -181,6 +185,7 @@ impl Globalization {
 
     /// Adapts the step bound to the linearization error of the last step, by a factor of a half to two.
     pub(super) fn update_step_bound(&mut self, linearization_error: f64) {
+        // Towards the step whose linearization error is as large as wanted.
         let change = (LINEARIZATION_ERROR / linearization_error).clamp(0.5, 2.0);
         self.step_bound = (self.step_bound * change).min(self.largest_step_bound);
     }

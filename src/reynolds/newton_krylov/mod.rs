@@ -168,6 +168,7 @@ impl ContactSolver for NewtonKrylov {
         self.check(problem, state, stop)?;
         // The homotopy changes contact film and cavitation of a copy.
         let problem = &mut problem.copied();
+        // Buffers of this grid, kept from solve to solve.
         let workspace = self.workspace(problem);
         workspace.newton.system.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop)?;

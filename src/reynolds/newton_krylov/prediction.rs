@@ -39,6 +39,7 @@ impl<'a> Prediction<'a> {
     pub(super) fn node(&self, k: usize) -> PredictedNode {
         let (start, whole) = (self.start.node(k), self.system.node_change(k));
         let change = whole.times(self.share);
+        // The film less the elastic film is the plastic depth.
         let depth = start.plastic_depth + self.share * (whole.film - whole.elastic_film);
         PredictedNode {
             pressure: start.pressure + change.pressure,

@@ -64,6 +64,7 @@ impl Snapshot {
         state.approach = self.approach;
         coupled.active_set.copy_from_slice(&self.active_set);
         coupled.elastic_film.copy_from_slice(&self.elastic_film);
+        // The elastic film is saved: no convolution.
         coupled.evaluate(problem, state, Changed::ElasticFilm)?;
         Ok(())
     }

@@ -49,6 +49,7 @@ impl Workspace {
         stop: &StoppingRule,
         globalization: &mut Globalization,
     ) -> Result<bool, ReynoldsError> {
+        // The next coarser grid, if it is worth a solve.
         let grid = problem.grid();
         let is_fine = grid.len() > FEW_NODES && grid.ny() > 1 && !grid.is_strip();
         let coarse = if is_fine { coarser(&grid) } else { None };
@@ -71,6 +72,7 @@ impl Workspace {
     ) -> Result<bool, ReynoldsError> {
         let (grid, coarse) = (problem.grid(), body.grid());
         let mut transfer = Transfer::new(&grid, &coarse);
+        // Gap and edge pressure on the coarser grid.
         let (mut gap, mut edge) = (vec![0.0; coarse.len()], vec![0.0; coarse.len()]);
         transfer.sample(problem.gap, &mut gap);
         if let Some(outer) = problem.edge_pressure {
@@ -88,6 +90,7 @@ impl Workspace {
         };
         let rule = StoppingRule { tolerance: stop.tolerance.max(COARSE_TOLERANCE), ..*stop };
         let mut solution = ContactState::new(&coarse);
+        // Solve there, and interpolate.
         let mut solver = NewtonKrylov { settings: self.settings.clone(), ..NewtonKrylov::new() };
         let report = solver.solve(&mut below, &mut solution, &rule)?;
         let share = coarse.len() as f64 / grid.len() as f64;

@@ -11,23 +11,23 @@ const SHEAR: &str = "shear of the oil";
 
 /// A part of the model, whether it is there, and why.
 pub(super) struct Part {
-    pub(super) what: &'static str,
+    pub(super) name: &'static str,
     pub(super) modelled: bool,
     pub(super) why: String,
 }
 
 impl Part {
     /// Its name; that of the shear says by which law.
-    pub(super) fn name(&self) -> String {
-        let law = self.why.split(',').next().filter(|_| self.what == SHEAR);
+    pub(super) fn full_name(&self) -> String {
+        let law = self.why.split(',').next().filter(|_| self.name == SHEAR);
         let of = law.or_else(|| self.why.strip_prefix("elastic.layer: "));
-        of.map_or_else(|| self.what.to_owned(), |of| format!("{} {of}", self.what))
+        of.map_or_else(|| self.name.to_owned(), |of| format!("{} {of}", self.name))
     }
 }
 
 /// Where the oil begins, and whether the box holds the inlet.
 fn inlet(scene: &Scene, sim: &MixedLubricationSim) -> Result<Part, InputError> {
-    let part = |modelled, why| Ok(Part { what: "flooded inlet", modelled, why });
+    let part = |modelled, why| Ok(Part { name: "flooded inlet", modelled, why });
     let Some(oil) = &scene.lubricant else { return part(false, String::new()) };
     if oil.inlet == InletSpec::BoxEdge {
         return part(false, "lubricant.inlet is box_edge: the oil begins at the edges of the box".to_owned());
@@ -48,7 +48,7 @@ fn inlet(scene: &Scene, sim: &MixedLubricationSim) -> Result<Part, InputError> {
 }
 
 pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part>, InputError> {
-    let part = |what, modelled, why: &str| Part { what, modelled, why: why.to_owned() };
+    let part = |name, modelled, why: &str| Part { name, modelled, why: why.to_owned() };
     let mut parts = vec![
         if matches!(scene.grid, GridSpec::Strip { .. }) {
             part(
@@ -97,11 +97,11 @@ pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part
             ),
         });
     }
-    for (what, key, roughness) in [
+    for (name, key, roughness) in [
         ("rough ball", "roughness.ball", &scene.roughness.ball),
         ("rough disc", "roughness.disc", &scene.roughness.disc),
     ] {
-        parts.push(Part { what, modelled: !roughness.is_smooth(), why: why_rough(key, roughness) });
+        parts.push(Part { name, modelled: !roughness.is_smooth(), why: why_rough(key, roughness) });
     }
     if scene.is_lubricated() && !scene.is_smooth() {
         parts.push(roughness_in_motion(scene)?);
@@ -119,7 +119,7 @@ fn coating(scene: &Scene) -> Option<Part> {
     let hardness =
         layer.hardness.map_or_else(String::new, |hardness| format!(", hardness {:.3} GPa", 1e-9 * hardness));
     Some(Part {
-        what: "coating",
+        name: "coating",
         modelled: true,
         why: format!(
             "elastic.layer: {:.3} um on the {name}, modulus {:.1} GPa{hardness}",
@@ -152,7 +152,7 @@ fn roughness_in_motion(scene: &Scene) -> Result<Part, InputError> {
              smaller than in a steady contact (docs/cycles.md)",
         ),
     };
-    Ok(Part { what: "moving roughness", modelled, why: why.to_owned() })
+    Ok(Part { name: "moving roughness", modelled, why: why.to_owned() })
 }
 
 fn sliding(scene: &Scene) -> Result<Part, InputError> {
@@ -163,13 +163,13 @@ fn sliding(scene: &Scene) -> Result<Part, InputError> {
     } else {
         "without sliding there is neither friction nor its heat"
     };
-    Ok(Part { what: "friction", modelled, why: why.to_owned() })
+    Ok(Part { name: "friction", modelled, why: why.to_owned() })
 }
 
 /// Processes that change the surfaces in a history.
 fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
-    let table = |what, given: bool, key: &str, history: bool| Part {
-        what,
+    let table = |name, given: bool, key: &str, history: bool| Part {
+        name,
         modelled: given,
         why: match (given, history) {
             (false, _) => format!("there is no [{key}]"),
@@ -193,10 +193,10 @@ fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
         table("plastic limit", scene.plastic.is_some(), "plastic", false),
         table("tribofilm", scene.tribofilm.is_some(), "tribofilm", true),
         table("wear", scene.wear.is_some(), "wear", true),
-        Part { what: "flash heat", modelled: on, why: why.to_owned() },
+        Part { name: "flash heat", modelled: on, why: why.to_owned() },
         table("schedule", scheduled, "schedule", true),
         Part {
-            what: "time on track",
+            name: "time on track",
             modelled: on_track.is_some(),
             why: on_track.map_or_else(
                 || "points age as if they never left the contact".to_owned(),

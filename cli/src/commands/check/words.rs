@@ -36,7 +36,7 @@ impl Expected {
         }
         let names = |modelled: bool| {
             let parts = self.parts.iter().filter(|part| part.modelled == modelled);
-            parts.map(Part::name).collect::<Vec<_>>().join(", ")
+            parts.map(Part::full_name).collect::<Vec<_>>().join(", ")
         };
         lines.push(format!("modelled   {}", names(true)));
         lines.push(format!("left out   {} (--json: by which keys)", names(false)));

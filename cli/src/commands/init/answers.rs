@@ -1,4 +1,4 @@
-//! What the user wants: options, or answers to questions on the terminal.
+//! Input of the user: options, or answers to questions on the terminal.
 
 use std::error::Error;
 use std::io::{self, BufRead, Write};
@@ -14,7 +14,7 @@ use super::disc::{Disc, Finish, Measured};
 use super::quantity::Quantity;
 use crate::output;
 
-/// A question, the option that answers it, its default and what it asks for.
+/// A question, the option that answers it, its default and its dimension.
 type Question = (&'static str, &'static str, &'static str, Dimension);
 
 const RADIUS: Question = ("Radius of the ball", "--radius", "9.525 mm", Dimension::Length);
@@ -29,7 +29,7 @@ const LENGTH: &str = "--length";
 const DISC: &str = "Disc: ground, honed, superfinished or polished, its root mean square height (0: smooth), or a file of heights";
 const SMOOTH: &str = "0";
 
-/// What a scene is made of.
+/// Values of a new scene.
 pub(super) struct Answers {
     pub(super) radius: Quantity,
     pub(super) load: Quantity,
@@ -52,7 +52,7 @@ impl Options {
     }
 }
 
-/// What the options say, and the rest by default; where `ask`, the answers to questions, which offer those of
+/// The values of the options, and defaults for the rest; with `ask` the answers to questions, which offer those of
 /// `before`.
 pub(super) fn answers(
     options: &Options,

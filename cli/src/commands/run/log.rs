@@ -1,4 +1,4 @@
-//! What a history leaves while it runs: bar, means, files and pictures.
+//! Output of a history while it runs: progress bar, means, files and pictures.
 
 use std::error::Error;
 use std::fs::File;
@@ -19,7 +19,7 @@ use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION, ex
 use crate::report::{self, Fields, Report};
 use crate::{files, interrupt, output};
 
-/// What is kept of a history while it runs.
+/// Output of a history while it runs.
 pub(super) struct Log {
     pub(super) bar: ProgressBar,
     steps: u64,

@@ -24,7 +24,7 @@ const ROUNDING: f64 = 1e-9;
 pub(crate) struct Options {
     /// Scene file
     scene: PathBuf,
-    /// Number of steps, not counting those that end at an entry of a schedule [default: what the time needs, or 100]
+    /// Number of steps, not counting those that end at an entry of a schedule [default: as many as the time needs, or 100]
     #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::count::<u64>("--steps", text, 1..=u64::MAX))]
     steps: Option<u64>,
     /// Length of a step, "10" or "10 s"; the last one ends at the time [default: an equal share of the time]

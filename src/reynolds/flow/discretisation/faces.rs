@@ -18,11 +18,13 @@ impl Discretisation {
     /// Sets `c` of the faces between columns and between rows.
     pub(super) fn set_coefficients(&mut self, along: f64, across: f64) {
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        // The faces next to the edges of the box.
         let at_edge = |i: usize, n: usize| i == 0 || i + 2 == n;
         let edge = if self.edge_pressure.is_empty() { EDGE_SHARE } else { 1.0 };
         let share = |i: usize, n: usize| if at_edge(i, n) { edge } else { 1.0 };
         let has_sides = self.grid.has_side_edges();
         for (j, row) in self.coefficients.chunks_exact_mut(nx).enumerate() {
+            // Rows of a strip have no northern face in the last row.
             let north = match has_sides {
                 true => share(j, ny) * across,
                 false if j + 1 < ny => across,
@@ -40,12 +42,14 @@ impl Discretisation {
         let nx = self.grid.nx();
         for column in 0..nx {
             let k = first + column;
+            // Entrainment through a face depends on both of its nodes and on the next one upstream.
             let (up, next) = (k - column.min(1), if column + 1 < nx { k + 1 } else { k });
             if !self.changes.between(up, next) {
                 continue;
             }
             self.update_entrainment(k, column);
             if column + 1 < nx {
+                // Pressure flow: mobility times the drop of the potential.
                 self.east[k] = self.face_flow(k, k + 1, self.along(k)).mobility;
                 let drop = self.nodes[k].potential - self.nodes[k + 1].potential;
                 self.east_flow[k] = self.coefficients[k][0] * self.east[k] * drop;
@@ -73,6 +77,7 @@ impl Discretisation {
         self.inlets[k] = self.inlet(k, column);
         let own = &self.nodes[k];
         self.face_films[k] = if film.beyond == 0.0 { 1.0 } else { 1.0 + film.beyond / own.film };
+        // Flux beyond that of the upstream node: film and density of the face.
         self.beyond[k] = match self.scheme {
             Scheme::FirstOrder => 0.0,
             Scheme::Limited => {

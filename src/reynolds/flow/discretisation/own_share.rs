@@ -92,6 +92,7 @@ impl Discretisation {
     ) -> [f64; 3] {
         let mut sums = [0.0; 3];
         for held in neighbours {
+            // Mobility of the face, thinned by shear.
             let (first, second) = if held.is_first { (&held.flow, node) } else { (node, &held.flow) };
             let mut face = self.face_mobility.of(self.fluidity, first, second, held.direction);
             if !self.ratios.is_empty() {
@@ -99,11 +100,13 @@ impl Discretisation {
                 let (first, second) = if held.is_first { (held.ratio, ratio) } else { (ratio, held.ratio) };
                 face = face.thinned(first, second);
             }
+            // Its flow, and derivatives by pressure and film of the node.
             let own = if held.is_first { face.second } else { face.first };
             let drop = held.c * (node.potential - held.flow.potential);
             sums[0] += face.mobility * drop;
             sums[1] += own[0] * drop + held.c * face.mobility * node.potential_p;
             sums[2] += own[1] * drop;
+            // Flow entrained across rows by spin.
             if held.entrained != 0.0 {
                 let [by_pressure, _, by_film, _] = entrained_derivatives(node, &held.flow);
                 sums[0] += held.entrained * entrained(node, &held.flow);

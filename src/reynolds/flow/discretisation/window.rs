@@ -17,6 +17,7 @@ impl Discretisation {
     /// Makes this a window of `whole` whose node 0 is the node `first` there.
     pub(in crate::reynolds) fn set_window(&mut self, whole: &Self, first: usize) {
         self.changes.forget();
+        // Schemes and coefficients of the whole grid.
         self.face_mobility = whole.face_mobility;
         self.scheme = whole.scheme;
         self.cavitation = whole.cavitation;
@@ -29,6 +30,7 @@ impl Discretisation {
         self.film_temperatures.clear();
         let thinned = if whole.ratios.is_empty() { 0 } else { self.grid.len() };
         self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
+        // Fields, row by row.
         let (nx, stride) = (self.grid.nx(), whole.grid.nx());
         for j in 0..self.grid.ny() {
             let there = first + j * stride..first + j * stride + nx;
@@ -38,6 +40,7 @@ impl Discretisation {
             if !whole.film_temperatures.is_empty() {
                 self.film_temperatures.extend_from_slice(&whole.film_temperatures[there.clone()]);
             }
+            // The flow entrained into the window stays fixed.
             for (here, there) in here.zip(there).take(HELD_COLUMNS) {
                 (self.entrained[here], self.theta[here]) = (whole.entrained[there], whole.theta[there]);
             }
