@@ -125,6 +125,21 @@ fn the_rough_reference_contact_is_found_on_every_mesh() {
     assert!(per_step(fine) < 1.15 * per_step(coarse), "{coarse:?}, {fine:?}");
 }
 
+/// Rows of the flow, its derivatives and the elimination of nodes are divided between threads on grids of this size.
+#[test]
+fn results_do_not_depend_on_the_number_of_threads() {
+    let mut scene = scene(184, 0.1, 100e-9, 20e-6, 1.15e9, Some(6e9));
+    scene.solver.tolerance = 1e-2;
+    let [one, three] = [1, 3].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| solve_contact(&scene).unwrap())
+    });
+    assert_eq!(one.report.work, three.report.work);
+    let bits = |values: &[f64]| -> Vec<u64> { values.iter().map(|value| value.to_bits()).collect() };
+    assert_eq!(bits(&one.state.pressure), bits(&three.state.pressure));
+    assert_eq!(bits(&one.state.film), bits(&three.state.film));
+}
+
 /// A Newton step leaves touching solids some nanometres off the contact film. Fluid flow through those films
 /// would drain the isolated regions that they enclose, and the contacts would take ten to fifty times as many
 /// convolutions.
@@ -145,7 +160,7 @@ fn boundary_of_isolated_region_converges() {
 #[test]
 #[ignore = "slow"]
 fn isolated_regions_do_not_cycle() {
-    let steps = |scene: &Scene| solve_soundly(scene, "pockets").report.work.iterations;
+    let steps = |scene: &Scene| solve_soundly(scene, "isolated regions").report.work.iterations;
     let (mut of_default, mut all) = (Vec::new(), Vec::new());
     for seed in (1..16).step_by(2) {
         let mut rough = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));

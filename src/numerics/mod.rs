@@ -24,6 +24,7 @@ mod fft;
 mod gmres;
 mod grid_lu;
 mod least_squares;
+mod lines;
 mod parallel;
 mod precision;
 mod real_fft;
@@ -40,6 +41,7 @@ pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};
 pub(crate) use least_squares::least_squares;
+pub(crate) use lines::{FieldLines, for_each_range};
 pub(crate) use parallel::{join, map_lines};
 pub(crate) use real_fft::RealFft2;
 #[cfg(feature = "parallel")]

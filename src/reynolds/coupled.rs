@@ -20,8 +20,9 @@ use super::unified_reynolds;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
+use crate::numerics::map_lines;
 use crate::report::Residuals;
-use crate::reynolds::inner_nodes::interior;
+use crate::reynolds::inner_nodes::{inner_rows, interior};
 
 /// Cost of a convolution without padding over one on the padded grid, which has four times the points.
 pub(super) const UNPADDED: f64 = 0.25;
@@ -184,9 +185,14 @@ impl Coupled {
         let previous = problem.squeeze.map(|s| s.previous_mass);
         self.fluid.update(lubricant, fluid_pressure, film, previous);
         // Net outflow of every cell.
-        for k in interior(&self.fluid.grid) {
-            self.balance[k] = self.fluid.balance(k, previous);
-        }
+        let (fluid, nx, inner) = (&self.fluid, self.fluid.grid.nx(), inner_rows(&self.fluid.grid));
+        map_lines(&mut self.balance, nx, |j, row| {
+            if inner.contains(&j) {
+                for (i, balance) in row.iter_mut().enumerate().take(nx - 1).skip(1) {
+                    *balance = fluid.balance(j * nx + i, previous);
+                }
+            }
+        });
     }
 
     /// Determines the active set.

@@ -4,6 +4,8 @@
 const FAR: f64 = 16.0;
 /// Largest change of the exponent over such a cell, along x and along y: the error of the decay is below 2e-5.
 const SMOOTH: f64 = 0.5;
+/// Largest quadratic part of the exponent between the ends of such a cell: the error is below 2e-5.
+const STRAIGHT: f64 = 0.08;
 /// Exponent of the decay beyond which heat does not arrive: `e^-40` is below rounding.
 const NO_HEAT: f64 = 40.0;
 
@@ -13,9 +15,10 @@ pub(super) fn heat_of_cell(x: f64, y: f64, half: [f64; 2], decay: f64) -> f64 {
     if is_cold(x, y, half, decay) {
         return 0.0;
     }
-    let radius = x.hypot(y);
+    let (radius, longest) = (x.hypot(y), half[0].max(half[1]));
     let change = |distance: f64, half: f64| 2.0 * decay * half * distance;
-    let is_smooth = radius >= FAR * half[0].max(half[1])
+    let is_smooth = radius >= FAR * longest
+        && 2.0 * decay * longest * longest <= STRAIGHT * radius
         && change(lag(x, y, radius), half[0]) <= SMOOTH * radius
         && change(y.abs(), half[1]) <= SMOOTH * radius;
     if !is_smooth {

@@ -5,7 +5,7 @@
 
 use super::face_flows::{FaceFlows, single, store};
 use crate::grid::Grid;
-use crate::numerics::STENCIL;
+use crate::numerics::{FieldLines, STENCIL};
 use crate::reynolds::flow::{Discretisation, SweepOrder};
 
 /// Derivatives of the entrainment through the faces to the north of the nodes, and its changes.
@@ -44,8 +44,9 @@ impl Across {
     /// Evaluates the derivatives at the last update of `fluid`, with the flow direction `sweep_order`.
     pub(super) fn update(&mut self, fluid: &Discretisation, sweep_order: &SweepOrder, stiffness: f64) {
         self.sweep_order.clone_from(sweep_order);
+        let mut faces = self.faces.each_mut().map(|field| FieldLines::new(field, self.nx));
         for k in 0..self.change.len() - self.nx {
-            store(&mut self.faces, k, fluid.across_derivatives(k), stiffness);
+            store(&mut faces, k, fluid.across_derivatives(k), stiffness);
         }
         for (k, advected) in self.advected.iter_mut().enumerate() {
             *advected = single(fluid.advected_fraction_across(k));

@@ -1,5 +1,7 @@
 //! Derivatives of the flow through faces, in single precision.
 
+use crate::numerics::FieldLines;
+
 /// Bound of derivatives; those of real films are some 1e12.
 const LARGEST: f64 = 1e30;
 
@@ -7,13 +9,14 @@ const LARGEST: f64 = 1e30;
 /// films.
 pub(super) type FaceFlows = [Vec<f32>; 4];
 
-/// Stores the derivatives of a face.
+/// Stores the derivatives of face `i` of these lines.
 #[inline]
-pub(super) fn store(flows: &mut FaceFlows, k: usize, derivatives: [f64; 4], stiffness: f64) {
-    flows[0][k] = single(stiffness * derivatives[0]);
-    flows[1][k] = single(stiffness * derivatives[1]);
-    flows[2][k] = single(derivatives[2]);
-    flows[3][k] = single(derivatives[3]);
+pub(super) fn store(flows: &mut [FieldLines<'_, f32>; 4], i: usize, derivatives: [f64; 4], stiffness: f64) {
+    let [first, second, first_film, second_film] = flows;
+    first.values[i] = single(stiffness * derivatives[0]);
+    second.values[i] = single(stiffness * derivatives[1]);
+    first_film.values[i] = single(derivatives[2]);
+    second_film.values[i] = single(derivatives[3]);
 }
 
 /// In single precision, clamped to finite numbers.

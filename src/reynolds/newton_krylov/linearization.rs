@@ -7,7 +7,7 @@
 use super::across::Across;
 use super::face_flows::{FaceFlows, single, store};
 use crate::grid::Grid;
-use crate::numerics::STENCIL;
+use crate::numerics::{FieldLines, STENCIL, for_each_range};
 use crate::reynolds::flow::Discretisation;
 use crate::reynolds::inner_nodes::inner_rows;
 
@@ -64,36 +64,46 @@ impl Linearization {
     pub(super) fn update(&mut self, fluid: &Discretisation, own_influence: f64) {
         let (nx, n) = (self.grid.nx(), self.grid.len());
         // Masses of the nodes and their advection.
-        let stiffness = 1.0 / own_influence;
-        for k in 0..n {
-            let [by_pressure, by_film] = fluid.mass_derivatives(k);
-            self.mass[0][k] = single(stiffness * by_pressure);
-            self.mass[1][k] = single(by_film);
-        }
+        let (ny, stiffness) = (self.grid.ny(), 1.0 / own_influence);
+        let [by_pressure, by_film] = self.mass.each_mut().map(|field| FieldLines::new(field, nx));
+        for_each_range((by_pressure, by_film), ny, n, |rows, (by_pressure, by_film)| {
+            let nodes = (rows.start * nx..).zip(by_pressure.values.iter_mut().zip(by_film.values));
+            for (k, (by_pressure, by_film)) in nodes {
+                let [pressure, film] = fluid.mass_derivatives(k);
+                (*by_pressure, *by_film) = (single(stiffness * pressure), single(film));
+            }
+        });
         for (k, advected) in self.advected.iter_mut().enumerate() {
             *advected = single(fluid.advected_fraction(k));
         }
         // Flow by pressure through the faces, and entrainment beyond the masses.
         self.has_entrainment_corrections = fluid.has_entrainment_corrections();
-        for first in (0..n).step_by(nx) {
-            for column in 0..nx {
-                let k = first + column;
-                let (by_flow, beyond) = fluid.east_derivatives(k, column);
-                store(&mut self.east, k, by_flow, stiffness);
-                if self.has_entrainment_corrections {
-                    let scales = [stiffness, stiffness, 1.0, 1.0, 1.0];
-                    for ((stored, derivative), scale) in self.beyond.iter_mut().zip(beyond).zip(scales) {
-                        stored[k] = single(scale * derivative);
-                    }
+        let has_corrections = self.has_entrainment_corrections;
+        let east = self.east.each_mut().map(|field| FieldLines::new(field, nx));
+        let beyond = self.beyond.each_mut().map(|field| FieldLines::new(field, nx));
+        for_each_range((east, beyond), ny, n, |rows, (mut east, beyond)| {
+            let [own_p, up_p, own_h, next_h, up_h] = beyond;
+            for (i, k) in (rows.start * nx..rows.end * nx).enumerate() {
+                let (by_flow, derivatives) = fluid.east_derivatives(k, i % nx);
+                store(&mut east, i, by_flow, stiffness);
+                if has_corrections {
+                    own_p.values[i] = single(stiffness * derivatives[0]);
+                    up_p.values[i] = single(stiffness * derivatives[1]);
+                    own_h.values[i] = single(derivatives[2]);
+                    next_h.values[i] = single(derivatives[3]);
+                    up_h.values[i] = single(derivatives[4]);
                 }
             }
-        }
-        if !self.has_entrainment_corrections {
+        });
+        if !has_corrections {
             self.beyond_change.fill(0.0);
         }
-        for k in 0..n - nx {
-            store(&mut self.north, k, fluid.north_derivatives(k), stiffness);
-        }
+        let north = self.north.each_mut().map(|field| FieldLines::new(field, nx));
+        for_each_range(north, ny - 1, n, |rows, mut north| {
+            for (i, k) in (rows.start * nx..rows.end * nx).enumerate() {
+                store(&mut north, i, fluid.north_derivatives(k), stiffness);
+            }
+        });
         // Coefficients of the entrainment.
         for (j, (upwind, near)) in self.upwind.iter_mut().zip(&mut self.near).enumerate() {
             *upwind = fluid.mass_coefficients(j * nx).map(single);

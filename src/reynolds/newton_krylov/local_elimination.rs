@@ -1,11 +1,16 @@
 //! Nonlinear elimination: from the prediction of a linear step to a state.
 
+use std::mem::take;
+
 use super::isolated_regions::IsolatedRegions;
-use super::node::{Material, NodeBalance, NodePrediction};
+use super::node::{Material, NodeBalance, NodePrediction, NodeSolution};
 use super::prediction::{PredictedNode, Prediction};
 use crate::grid::Grid;
-use crate::reynolds::active_set::Fluid;
+use crate::lubricant::Lubricant;
+use crate::numerics::{FieldLines, for_each_range};
+use crate::reynolds::active_set::{Fluid, NodeState};
 use crate::reynolds::coupled::Coupled;
+use crate::reynolds::flow::Discretisation;
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
@@ -51,28 +56,60 @@ fn eliminate_nodes(
     state: &mut ContactState,
 ) {
     let (contact_film, own_influence) = (problem.contact_film(), coupled.near.own);
-    for k in 0..state.pressure.len() {
-        let (side, predicted) = (coupled.active_set[k], prediction.node(k));
-        let material = Material { contact_film, limit: problem.limit_at(k), own_influence, step_bound };
-        if let Some(node) = material.settled(side, state.film[k], coupled.balance[k], &predicted) {
-            node.write(k, coupled, state);
-            continue;
-        }
-        let node = match problem.lubricant {
-            Some(lubricant) if side.fluid != Fluid::Boundary => {
-                // The outflow that the linear step predicts for the node as a function of its own pressure.
-                let balance = NodeBalance::new(&coupled.fluid, lubricant, k);
-                let PredictedNode { pressure, fluid_pressure, elastic_film, depth, change } = predicted;
-                let imbalance = if side.has_balance() { 0.0 } else { coupled.balance[k] + change.balance };
-                let changes = [change.fluid_pressure, change.film];
-                let share = balance.predicted_share(state.film[k], changes, imbalance);
-                let depth = if side.fluid == Fluid::AtLimit { depth } else { 0.0 };
-                let prediction = NodePrediction { pressure, fluid_pressure, elastic_film, depth, share };
-                // Its own pressure, film and place in the active set.
-                balance.eliminate(material, prediction)
+    let (limits, lubricant) = (problem.pressure_limit, problem.lubricant);
+    let grid = coupled.fluid.grid;
+    let (nx, film) = (grid.nx(), &state.film);
+    let mut active_set = take(&mut coupled.active_set);
+    let fields = (
+        FieldLines::new(&mut active_set, nx),
+        FieldLines::new(&mut state.pressure, nx),
+        FieldLines::new(&mut state.fluid_pressure, nx),
+        FieldLines::new(&mut state.plastic_depth, nx),
+    );
+    let (fluid, balance) = (&coupled.fluid, &coupled.balance);
+    for_each_range(
+        fields,
+        grid.ny(),
+        grid.len(),
+        |rows, (sides, pressure, fluid_pressure, plastic_depth)| {
+            let first = rows.start * nx;
+            for i in 0..sides.values.len() {
+                let k = first + i;
+                let (side, predicted) = (sides.values[i], prediction.node(k));
+                let limit = limits.map_or(f64::INFINITY, |limit| limit[k]);
+                let material = Material { contact_film, limit, own_influence, step_bound };
+                let solution = material.settled(side, film[k], balance[k], &predicted).unwrap_or_else(|| {
+                    eliminate(material, (fluid, lubricant), (k, side), (film[k], balance[k]), &predicted)
+                });
+                sides.values[i] = solution.side;
+                pressure.values[i] = solution.pressure;
+                fluid_pressure.values[i] = solution.fluid_pressure;
+                plastic_depth.values[i] = solution.depth;
             }
-            _ => material.eliminate_dry(side.fluid, predicted.pressure, predicted.elastic_film),
-        };
-        node.write(k, coupled, state);
+        },
+    );
+    coupled.active_set = active_set;
+}
+
+/// The solution of the own equations of node `k` in the state `side`, with its film and balance at the start of the step.
+fn eliminate(
+    material: Material,
+    (fluid, lubricant): (&Discretisation, Option<&Lubricant>),
+    (k, side): (usize, NodeState),
+    (film, balance): (f64, f64),
+    predicted: &PredictedNode,
+) -> NodeSolution {
+    let PredictedNode { pressure, fluid_pressure, elastic_film, depth, change } = *predicted;
+    match lubricant {
+        Some(lubricant) if side.fluid != Fluid::Boundary => {
+            // The outflow that the linear step predicts for the node as a function of its own pressure.
+            let own = NodeBalance::new(fluid, lubricant, k);
+            let imbalance = if side.has_balance() { 0.0 } else { balance + change.balance };
+            let share = own.predicted_share(film, [change.fluid_pressure, change.film], imbalance);
+            let depth = if side.fluid == Fluid::AtLimit { depth } else { 0.0 };
+            // Its own pressure, film and place in the active set.
+            own.eliminate(material, NodePrediction { pressure, fluid_pressure, elastic_film, depth, share })
+        }
+        _ => material.eliminate_dry(side.fluid, pressure, elastic_film),
     }
 }

@@ -31,7 +31,7 @@ impl Discretisation {
         if column + 1 == self.grid.nx() {
             return ([0.0; 4], [0.0; 5]);
         }
-        let face = self.face_flow(k, k + 1, self.along(k));
+        let face = self.face_flow(k, k + 1, self.along_at(k));
         let by_flow = self.flow_derivatives(k, k + 1, self.coefficients[k][0], &face);
         (by_flow, self.beyond_derivatives(k, column, &face))
     }

@@ -3,11 +3,14 @@
 //! An update stores the quantities of the faces of changed nodes; derivatives are computed on demand. A face has the index of its first node: the one east of `k` is between `k` and `k + 1`, the
 //! one north of `k` between `k` and `k + nx`.
 
+use std::mem::take;
+
 use super::super::direction::Direction;
 use super::super::entrainment::{DensityRise, FaceFilm};
 use super::super::face_mobility::{FaceFlow, FaceMobility};
 use super::super::inlet::Inlet;
 use super::{Discretisation, Scheme};
+use crate::numerics::{FieldLines, for_each_range};
 
 /// Without an [`EdgePressure`](crate::reynolds::EdgePressure) the pressure is ambient at the edge of the box, half a
 /// cell outside the outermost nodes, but these nodes have ambient pressure too. The pressure differences next to them
@@ -37,48 +40,76 @@ impl Discretisation {
     }
 
     /// Updates entrainment corrections, inlets and pressure flow of the faces east of the changed nodes, of their
-    /// upstream neighbors and of the next nodes, in the row that begins with node `first`.
-    pub(super) fn update_east_faces(&mut self, first: usize) {
-        let nx = self.grid.nx();
-        for column in 0..nx {
-            let k = first + column;
-            // Entrainment through a face depends on both of its nodes and on the next one upstream.
-            let (up, next) = (k - column.min(1), if column + 1 < nx { k + 1 } else { k });
-            if !self.changes.between(up, next) {
-                continue;
-            }
-            self.update_entrainment(k, column);
-            if column + 1 < nx {
-                // Pressure flow: mobility times the drop of the potential.
-                self.east[k] = self.face_flow(k, k + 1, self.along(k)).mobility;
-                let drop = self.nodes[k].potential - self.nodes[k + 1].potential;
-                self.east_flow[k] = self.coefficients[k][0] * self.east[k] * drop;
-            }
-        }
+    /// upstream neighbors and of the next nodes.
+    pub(super) fn update_east_faces(&mut self) {
+        let (nx, n) = (self.grid.nx(), self.grid.len());
+        let (mut beyond, mut face_films) = (take(&mut self.beyond), take(&mut self.face_films));
+        let mut inlets = take(&mut self.inlets);
+        let (mut east, mut east_flow) = (take(&mut self.east), take(&mut self.east_flow));
+        let fields = (
+            (FieldLines::new(&mut beyond, nx), FieldLines::new(&mut face_films, nx)),
+            FieldLines::new(&mut inlets, nx),
+            (FieldLines::new(&mut east, nx), FieldLines::new(&mut east_flow, nx)),
+        );
+        let this = &*self;
+        for_each_range(
+            fields,
+            self.grid.ny(),
+            n,
+            |rows, ((beyond, face_films), inlets, (east, east_flow))| {
+                let first = rows.start * nx;
+                for i in 0..beyond.values.len() {
+                    let (k, column) = (first + i, i % nx);
+                    // Entrainment through a face depends on both of its nodes and on the next one upstream.
+                    let (up, next) = (k - column.min(1), if column + 1 < nx { k + 1 } else { k });
+                    if !this.changes.between(up, next) {
+                        continue;
+                    }
+                    let film = this.face_film(k, column);
+                    inlets.values[i] = this.inlet(k, column);
+                    face_films.values[i] =
+                        if film.beyond == 0.0 { 1.0 } else { 1.0 + film.beyond / this.nodes[k].film };
+                    beyond.values[i] = this.flux_beyond(k, column, &film);
+                    if column + 1 < nx {
+                        // Pressure flow: mobility times the drop of the potential.
+                        let direction = this.along(face_films.values[i], &inlets.values[i]);
+                        east.values[i] = this.face_flow(k, k + 1, direction).mobility;
+                        let drop = this.nodes[k].potential - this.nodes[k + 1].potential;
+                        east_flow.values[i] = this.coefficients[k][0] * east.values[i] * drop;
+                    }
+                }
+            },
+        );
+        (self.beyond, self.face_films, self.inlets) = (beyond, face_films, inlets);
+        (self.east, self.east_flow) = (east, east_flow);
     }
 
-    /// Updates the pressure flow of the faces between the row that begins with node `first` and the next row, where
-    /// one of both nodes has changed.
-    pub(super) fn update_north_faces(&mut self, first: usize) {
-        let nx = self.grid.nx();
-        for k in first..first + nx {
-            if self.changes.at(k) || self.changes.at(k + nx) {
-                self.north[k] = self.face_flow(k, k + nx, Direction::Across).mobility;
-                let drop = self.nodes[k].potential - self.nodes[k + nx].potential;
-                self.north_flow[k] = self.coefficients[k][1] * self.north[k] * drop;
+    /// Updates the pressure flow of the faces between two rows where one of both nodes has changed.
+    pub(super) fn update_north_faces(&mut self) {
+        let (nx, n) = (self.grid.nx(), self.grid.len());
+        let (mut north, mut north_flow) = (take(&mut self.north), take(&mut self.north_flow));
+        let fields = (FieldLines::new(&mut north, nx), FieldLines::new(&mut north_flow, nx));
+        let this = &*self;
+        for_each_range(fields, self.grid.ny(), n, |rows, (north, north_flow)| {
+            let first = rows.start * nx;
+            // There is no face north of the last row.
+            let nodes = first..(rows.end * nx).min(n - nx);
+            for ((north, flow), k) in north.values.iter_mut().zip(north_flow.values).zip(nodes) {
+                if this.changes.at(k) || this.changes.at(k + nx) {
+                    *north = this.face_flow(k, k + nx, Direction::Across).mobility;
+                    let drop = this.nodes[k].potential - this.nodes[k + nx].potential;
+                    *flow = this.coefficients[k][1] * *north * drop;
+                }
             }
-        }
+        });
+        (self.north, self.north_flow) = (north, north_flow);
     }
 
-    /// Updates entrainment correction and inlet of the face east of node `k` in `column`.
+    /// Flux entrained through the face east of node `k` in `column` beyond that of the node, with the `film` of the face.
     #[inline]
-    fn update_entrainment(&mut self, k: usize, column: usize) {
-        let film = self.face_film(k, column);
-        self.inlets[k] = self.inlet(k, column);
+    fn flux_beyond(&self, k: usize, column: usize, film: &FaceFilm) -> f64 {
         let own = &self.nodes[k];
-        self.face_films[k] = if film.beyond == 0.0 { 1.0 } else { 1.0 + film.beyond / own.film };
-        // Flux beyond that of the upstream node: film and density of the face.
-        self.beyond[k] = match self.scheme {
+        match self.scheme {
             Scheme::FirstOrder => 0.0,
             Scheme::Limited => {
                 let rise = self.density_rise(k, column).rise;
@@ -86,7 +117,7 @@ impl Discretisation {
             }
             Scheme::SecondOrder if column == 0 => own.density * film.beyond,
             Scheme::SecondOrder => 0.5 * (self.masses[k] - self.masses[k - 1]),
-        };
+        }
     }
 
     /// Density of the face east of node `k` in `column` minus that of the node, extrapolated from the nodes
@@ -126,9 +157,15 @@ impl Discretisation {
 
     /// The direction of the face east of node `k`.
     #[inline]
-    pub(super) fn along(&self, k: usize) -> Direction {
+    pub(super) fn along_at(&self, k: usize) -> Direction {
+        self.along(self.face_films[k], &self.inlets[k])
+    }
+
+    /// The direction of a face along x with this ratio of its film to that of its first node, and this inlet.
+    #[inline]
+    fn along(&self, face_film: f64, inlet: &Inlet) -> Direction {
         if self.wedge > 0.0 {
-            Direction::Along(self.face_films[k], self.inlets[k].factor)
+            Direction::Along(face_film, inlet.factor)
         } else {
             Direction::AlongWithoutEntrainment
         }

@@ -35,6 +35,8 @@ pub(in crate::reynolds) use balances::NearField;
 pub(in crate::reynolds) use own_share::HeldNeighbour;
 pub(in crate::reynolds) use window::MARGIN;
 
+use std::mem::take;
+
 use changes::Changes;
 
 use super::cavitation::Cavitation;
@@ -46,6 +48,7 @@ use super::shear_thinning::{NodeRatios, ShearThinning};
 use super::spin::Spin;
 use crate::grid::Grid;
 use crate::lubricant::{Lubricant, NodeTemperature, ThermalRatios};
+use crate::numerics::{FieldLines, for_each_range};
 use crate::reynolds::inner_nodes::interior;
 use crate::reynolds::problem::{LubricatedContact, outermost};
 
@@ -334,39 +337,57 @@ impl Discretisation {
         }
     }
 
-    /// The quantities of node `k` at fluid pressure `p` and film `h`.
+    /// Density, mobility and potential of node `k` at fluid pressure `p` and film `h`, and its viscosity ratios.
     #[inline]
-    fn update_node(&mut self, lubricant: &Lubricant, k: usize, p: f64, h: f64) {
+    fn node_at(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> (NodeFlow, NodeRatios) {
         let warm = self.thermal_ratios(lubricant, k, p);
-        self.nodes[k] = self.node_flow(lubricant, warm, p, h);
-        self.masses[k] = self.nodes[k].density * h;
-        if !self.ratios.is_empty() {
-            self.ratios[k] = self.viscosity_ratios(lubricant, warm, p, h);
-        }
+        (self.node_flow(lubricant, warm, p, h), self.viscosity_ratios(lubricant, warm, p, h))
+    }
+
+    /// Updates the quantities of the changed nodes.
+    fn update_nodes(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
+        let (nx, n) = (self.grid.nx(), self.grid.len());
+        let (mut nodes, mut masses, mut ratios) =
+            (take(&mut self.nodes), take(&mut self.masses), take(&mut self.ratios));
+        let fields = (
+            FieldLines::new(&mut nodes, nx),
+            FieldLines::new(&mut masses, nx),
+            FieldLines::new(&mut ratios, nx),
+        );
+        let this = &*self;
+        for_each_range(fields, self.grid.ny(), n, |rows, (nodes, masses, ratios)| {
+            let first = rows.start * nx;
+            for (i, (node, mass)) in nodes.values.iter_mut().zip(masses.values).enumerate() {
+                let k = first + i;
+                if this.changes.at(k) {
+                    let (p, h) = (pressure[k], film[k]);
+                    let (flow, viscosity) = this.node_at(lubricant, k, p, h);
+                    (*node, *mass) = (flow, flow.density * h);
+                    if let Some(stored) = ratios.values.get_mut(i) {
+                        *stored = viscosity;
+                    }
+                }
+            }
+        });
+        (self.nodes, self.masses, self.ratios) = (nodes, masses, ratios);
     }
 
     /// Updates nodes, faces and entrainment corrections; those of nodes whose pressure and film are the ones of the
     /// last update are up to date.
     fn update_faces(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
         self.changes.compare(pressure, film);
-        // Density, mobility and potential of the nodes.
-        for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
-            if self.changes.at(k) {
-                self.update_node(lubricant, k, p, h);
-            }
-        }
+        self.update_nodes(lubricant, pressure, film);
         if !self.edge_pressure.is_empty() {
             for k in outermost(&self.grid) {
-                self.update_node(lubricant, k, self.edge_pressure[k], film[k]);
+                let (node, ratios) = self.node_at(lubricant, k, self.edge_pressure[k], film[k]);
+                (self.nodes[k], self.masses[k]) = (node, node.density * film[k]);
+                if let Some(stored) = self.ratios.get_mut(k) {
+                    *stored = ratios;
+                }
             }
         }
-        let (nx, n) = (self.grid.nx(), self.grid.len());
-        for first in (0..n).step_by(nx) {
-            self.update_east_faces(first);
-            if first + nx < n {
-                self.update_north_faces(first);
-            }
-        }
+        self.update_east_faces();
+        self.update_north_faces();
         if let Some(spin) = &mut self.spin {
             spin.update(&self.nodes);
         }

@@ -46,9 +46,13 @@ impl Discretisation {
             entrained: 0.0,
         };
         let mut held = [
-            held(east, self.along(k), false),
+            held(east, self.along_at(k), false),
             // An inflow to a node that is not filled returns with its advected fraction.
-            held((west.0, west.1 * (1.0 - self.advected_fraction[k - 1]), west.2), self.along(k - 1), true),
+            held(
+                (west.0, west.1 * (1.0 - self.advected_fraction[k - 1]), west.2),
+                self.along_at(k - 1),
+                true,
+            ),
             held(north, Direction::Across, false),
             held(south, Direction::Across, true),
         ];

@@ -38,7 +38,7 @@ pub fn given_film_warnings(problem: &GivenFilm<'_>, solution: &GivenFilmSolution
         PRESSURE_VISCOSITY.check("alpha", oil.pressure_viscosity_coefficient()),
         film,
         (largest > LARGEST_PRESSURE).then(|| {
-            let message = format!("rigid surfaces give way above {} Pa", short(LARGEST_PRESSURE));
+            let message = format!("rigid surfaces deform above {} Pa", short(LARGEST_PRESSURE));
             Warning::new("pressure.max", largest, message, "solve a contact of elastic bodies".to_owned())
         }),
     ];

@@ -1,0 +1,127 @@
+//! Loops over the lines of several fields at once, distributed over threads as in `parallel`.
+
+use std::ops::Range;
+
+use super::parallel::{chunk_count, join};
+
+/// Fields whose lines are divided between two threads.
+pub(crate) trait Lines: Send + Sized {
+    /// The first `count` lines, and the others.
+    fn split_lines(self, count: usize) -> (Self, Self);
+}
+
+/// A field of lines of equal length; an empty one has empty lines.
+#[derive(Debug)]
+pub(crate) struct FieldLines<'a, T> {
+    /// The values, line by line.
+    pub(crate) values: &'a mut [T],
+    length: usize,
+}
+
+impl<'a, T> FieldLines<'a, T> {
+    /// The lines of `field`, `length` values each.
+    pub(crate) fn new(field: &'a mut [T], length: usize) -> Self {
+        Self { values: field, length }
+    }
+}
+
+impl<T: Send> Lines for FieldLines<'_, T> {
+    fn split_lines(self, count: usize) -> (Self, Self) {
+        let at = (count * self.length).min(self.values.len());
+        let (head, tail) = self.values.split_at_mut(at);
+        (Self::new(head, self.length), Self::new(tail, self.length))
+    }
+}
+
+impl<A: Lines, B: Lines> Lines for (A, B) {
+    fn split_lines(self, count: usize) -> (Self, Self) {
+        let ((a, a_rest), (b, b_rest)) = (self.0.split_lines(count), self.1.split_lines(count));
+        ((a, b), (a_rest, b_rest))
+    }
+}
+
+impl<A: Lines, B: Lines, C: Lines> Lines for (A, B, C) {
+    fn split_lines(self, count: usize) -> (Self, Self) {
+        let (a, b, c) = self;
+        let (((a, b), c), ((a_rest, b_rest), c_rest)) = ((a, b), c).split_lines(count);
+        ((a, b, c), (a_rest, b_rest, c_rest))
+    }
+}
+
+impl<A: Lines, B: Lines, C: Lines, D: Lines> Lines for (A, B, C, D) {
+    fn split_lines(self, count: usize) -> (Self, Self) {
+        let (a, b, c, d) = self;
+        let (((a, b), (c, d)), ((a_rest, b_rest), (c_rest, d_rest))) = ((a, b), (c, d)).split_lines(count);
+        ((a, b, c, d), (a_rest, b_rest, c_rest, d_rest))
+    }
+}
+
+impl<A: Lines> Lines for [A; 4] {
+    fn split_lines(self, count: usize) -> (Self, Self) {
+        let [a, b, c, d] = self;
+        let ((a, b, c, d), (a_rest, b_rest, c_rest, d_rest)) = (a, b, c, d).split_lines(count);
+        ([a, b, c, d], [a_rest, b_rest, c_rest, d_rest])
+    }
+}
+
+impl<A: Lines> Lines for [A; 5] {
+    fn split_lines(self, count: usize) -> (Self, Self) {
+        let [a, b, c, d, e] = self;
+        let (([a, b, c, d], e), ([a_rest, b_rest, c_rest, d_rest], e_rest)) =
+            ([a, b, c, d], e).split_lines(count);
+        ([a, b, c, d, e], [a_rest, b_rest, c_rest, d_rest, e_rest])
+    }
+}
+
+/// Applies `work` to ranges of `count` lines and to the lines of `fields` in them; `nodes` is the size of the fields.
+pub(crate) fn for_each_range<L: Lines>(
+    fields: L,
+    count: usize,
+    nodes: usize,
+    work: impl Fn(Range<usize>, L) + Sync,
+) {
+    divide(fields, 0..count, chunk_count(nodes), &work);
+}
+
+/// Recursive bisection into `chunks` ranges; the halves run in parallel.
+fn divide<L: Lines>(fields: L, lines: Range<usize>, chunks: usize, work: &(impl Fn(Range<usize>, L) + Sync)) {
+    if chunks <= 1 || lines.len() <= 1 {
+        return work(lines, fields);
+    }
+    let middle = lines.start + lines.len() / 2;
+    let (head, tail) = fields.split_lines(middle - lines.start);
+    join(
+        || divide(head, lines.start..middle, chunks / 2, work),
+        || divide(tail, middle..lines.end, chunks - chunks / 2, work),
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_line_is_visited_once_with_the_values_of_all_fields() {
+        for (count, length) in [(1, 40_000), (200, 200), (1023, 64), (5, 1)] {
+            let (mut first, mut second) = (vec![0_usize; count * length], vec![[0_u8; 2]; count]);
+            let mut none: Vec<f64> = Vec::new();
+            let fields = (
+                FieldLines::new(&mut first, length),
+                [second.as_mut_slice(), &mut [], &mut [], &mut []].map(|field| FieldLines::new(field, 1)),
+                FieldLines::new(&mut none, length),
+            );
+            for_each_range(fields, count, count * length, |lines, (first, [second, ..], none)| {
+                assert!(none.values.is_empty());
+                assert_eq!((first.values.len(), second.values.len()), (lines.len() * length, lines.len()));
+                for (line, (values, visits)) in
+                    lines.zip(first.values.chunks_exact_mut(length).zip(second.values))
+                {
+                    values.iter_mut().for_each(|value| *value += line + 1);
+                    visits[0] += 1;
+                }
+            });
+            assert!(first.iter().enumerate().all(|(k, value)| *value == k / length + 1), "{count} {length}");
+            assert!(second.iter().all(|visits| visits[0] == 1));
+        }
+    }
+}
