@@ -158,6 +158,25 @@ fn every_solver_stops_at_an_interrupt() {
 }
 
 #[test]
+fn one_true_poll_ends_a_solve_wherever_it_comes() {
+    let scene = || Scene::azam_2019(128);
+    let polls = Arc::new(AtomicU32::new(0));
+    let count = Arc::clone(&polls);
+    let counted = MixedLubricationSim::builder(scene())
+        .interrupt(move || count.fetch_add(1, Ordering::Relaxed) == u32::MAX)
+        .solve();
+    assert!(counted.unwrap().converged());
+    let all = polls.load(Ordering::Relaxed);
+    for at in (0..8).map(|k| k * (all - 1) / 7) {
+        let count = AtomicU32::new(0);
+        let solved = MixedLubricationSim::builder(scene())
+            .interrupt(move || count.fetch_add(1, Ordering::Relaxed) == at)
+            .solve();
+        assert!(matches!(solved, Err(SimError::Interrupted)), "poll {at} of {all}: {solved:?}");
+    }
+}
+
+#[test]
 fn refinement_stops_at_an_interrupt() {
     let mut scene = scene();
     scene.solver.estimate = true;

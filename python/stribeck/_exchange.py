@@ -35,10 +35,14 @@ _UNITS = {
     "A": 1e-10,
     "pm": 1e-12,
     "in": 25.4e-3,
+    "mil": 25.4e-6,
+    "uin": 25.4e-9,
 }
 _ASCII = {"\u00b5": "u", "\u03bc": "u", "\u00c5": "A", "\u212b": "A", "inch": "in"}
 #: Words in the names of channels that hold no heights, though their unit may be a length.
 _NO_HEIGHTS = ("phase", "amplitude", "deflection", "friction", "lateral", "current", "potential", "error")
+#: Readers of SurfaceTopography for arrays without axes, which programs store row by row.
+_ARRAYS = ("mat", "h5", "npz")
 #: Readers of SurfaceTopography that take more for heights than is: of text, and of files without a signature.
 _LOOSE_READERS = ("asc", "xyz", "hgt")
 
@@ -238,6 +242,10 @@ def _read(place: str, channel: int | None, unit: str | None, refused: SurfaceErr
     except Exception as error:
         raise SurfaceError(f"{place}: SurfaceTopography: {error}", field="path", value=place) from error
     found = _of_topography(topography, _Units(unit, bool(sizes)))
+    if reader.format() in _ARRAYS:
+        doubt = "the array of the file names no axes, its rows are taken along x"
+        dx, dy = found.spacing
+        found = replace(found, heights=found.heights.T, spacing=(dy, dx), doubts=[*found.doubts, doubt])
     return replace(found, spacing=(None, None)) if sizes else found
 
 

@@ -26,7 +26,7 @@ def results(
         # a client of dask has futures of its own kind
         yield from _futures(solve, executor.get_executor() if hasattr(executor, "get_executor") else executor, todo, bar)
     elif callable(executor):
-        yield from zip([k for k, _ in todo], executor((solve, (task,), {}) for _, task in todo), strict=True)
+        yield from _called(solve, executor, todo)
     else:
         raise refused("executor", executor, "an executor of concurrent.futures, a client of dask or a joblib.Parallel")
     if bar is not None:
@@ -54,6 +54,23 @@ def _futures(
     finally:
         for future in waiting:
             future.cancel()
+
+
+def _called(
+    solve: Callable[[Any], Result], executor: Callable[[Any], Any], todo: list[tuple[int, Any]]
+) -> Iterator[tuple[int, Result]]:
+    """The results of a ``joblib.Parallel``, in any order; those that a worker's death has taken are lost."""
+    left = {k for k, _ in todo}
+    try:
+        for k, result in executor((_numbered, (solve, k, task), {}) for k, task in todo):
+            left.discard(k)
+            yield k, result
+    except Exception as error:  # noqa: BLE001
+        yield from ((k, _lost(error)) for k in sorted(left))
+
+
+def _numbered(solve: Callable[[Any], Result], k: int, task: Any) -> tuple[int, Result]:
+    return k, solve(task)
 
 
 def _lost(error: BaseException) -> Result:

@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 
 from ._arguments import function, path as _path, refused, whole, writing
-from ._executors import Result, results
+from ._executors import LOST, Result, results
 from ._identity import identity
 from ._numbers import Numbers, flat
 from .errors import InputError, StribeckError, unknown
@@ -25,6 +25,14 @@ __all__ = ["Point", "Sweep", "sweep"]
 _FORMAT = 1
 #: Status of a point whose solve raised.
 _REFUSED = "refused"
+#: Parts of a result without an error, and their types.
+_PARTS: dict[str, Any] = {
+    "values": dict,
+    "status": str,
+    "error": type(None),
+    "measured": bool | int | float | str | dict | None,
+    "warnings": list,
+}
 #: Keywords of a solve that a sweep hands on.
 _GIVEN = ("heights", "bodies", "friction", "deformation", "viscosity", "density", "plasticity", "solver", "budget")
 
@@ -101,7 +109,8 @@ def sweep(
     done = {k: result for k in range(len(scenes)) if (result := _kept(_file(place, k))) is not None}
     todo = [(k, task) for k, task in zip(range(first, len(scenes), step), tasks, strict=True) if k not in done]
     for k, result in results(_solved, executor, todo, progress):
-        done[k] = result
+        # a point may be in its file though its executor died
+        done[k] = (_kept(_file(place, k)) or result) if result["status"] == LOST else result
     points = [Point(inputs[k], done[k]) for k in sorted(done)]
     is_whole = len(points) == len(scenes)
     known = axes if is_whole else {key: [point.inputs[key] for point in points] for key in keys}
@@ -169,7 +178,7 @@ def _solved(task: tuple[Scene, Mapping[str, Any], Measure | None, str | None]) -
         if measure is not None:
             try:
                 result["measured"] = _own_names(_plain(measure(solution)), values)
-            except Exception as error:  # noqa: BLE001
+            except (Exception, SystemExit) as error:  # noqa: BLE001
                 result["error"] = f"measure: {type(error).__name__}: {error}"
     _keep(file, result)
     return result
@@ -219,8 +228,14 @@ def _kept(file: str | None) -> Result | None:
             result = json.load(text)
     except ValueError:
         return None
-    parts = {"values", "status", "error", "measured", "warnings"}
-    return result if isinstance(result, dict) and parts <= result.keys() and result["error"] is None else None
+    return result if isinstance(result, dict) and result.keys() == _PARTS.keys() and _is_sound(result) else None
+
+
+def _is_sound(result: Mapping[str, Any]) -> bool:
+    """Whether the parts of a result without an error are of their types."""
+    has_types = all(isinstance(result[name], kind) for name, kind in _PARTS.items())
+    warnings = result["warnings"] if has_types else []
+    return has_types and "status" in result["values"] and all(isinstance(warning, dict) for warning in warnings)
 
 
 def _prepared(
@@ -248,7 +263,8 @@ def _prepared(
             other = None
         differ = [name for name in own if not isinstance(other, dict) or other.get(name) != own[name]]
         if differ:
-            raise InputError(f"folder: {place} holds another sweep: {', '.join(differ)} differ; take another folder", field="folder", value=place)
+            message = f"folder: {place} holds another sweep: it differs in {', '.join(differ)}; take another folder"
+            raise InputError(message, field="folder", value=place)
     else:
         others = [name for name in sorted(os.listdir(place)) if not name.startswith(("point_", "sweep.json"))]
         if others:

@@ -198,6 +198,21 @@ def test_units_of_other_packages_are_theirs_or_warned_of() -> None:
         Surface(GAP, "1 um", unit="um")
 
 
+def test_arrays_in_files_of_others_have_rows_along_x(tmp_path: Path) -> None:
+    pytest.importorskip("SurfaceTopography")
+    scipy_io, h5py = pytest.importorskip("scipy.io"), pytest.importorskip("h5py")
+    heights = np.arange(35.0).reshape(5, 7)
+    np.savez(tmp_path / "a.npz", heights=heights)
+    scipy_io.savemat(tmp_path / "a.mat", {"heights": heights})
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        file.create_dataset("heights", data=heights)
+    for name in ("a.npz", "a.mat", "a.h5"):
+        with pytest.warns(stribeck.StribeckWarning) as caught:
+            surface = stribeck.surface.read(tmp_path / name)
+        np.testing.assert_array_equal(surface.heights, heights, name)
+        assert any("rows are taken along x" in str(warning.message) for warning in caught), name
+
+
 def test_a_format_without_a_reader_is_named(tmp_path: Path) -> None:
     path = tmp_path / "scan.vk4"
     path.write_bytes(b"VK4_\0\0\0")

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 
+import os
 import pickle
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
@@ -30,6 +32,23 @@ def coarse() -> stribeck.Scene:
 
 def peak(solution: stribeck.Solution) -> dict[str, Any]:
     return {"peak": solution.fields["pressure"].max(), "rows": solution.grid.ny}
+
+
+def last_first(calls: Iterable[Any]) -> Iterable[Any]:
+    """A ``joblib.Parallel`` that returns results in another order than that of its calls."""
+    return (function(*arguments, **keywords) for function, arguments, keywords in reversed(list(calls)))
+
+
+def dies_at_one(solution: stribeck.Solution) -> float:
+    if solution.hertz.force > 15.0:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return 1.0
+
+
+def leaves_at_one(solution: stribeck.Solution) -> float:
+    if solution.hertz.force > 15.0:
+        sys.exit("no licence left")
+    return 1.0
 
 
 def fails_at_one(solution: stribeck.Solution) -> float:
@@ -64,6 +83,7 @@ def test_any_executor_returns_the_same_bits(coarse: stribeck.Scene) -> None:
         with ProcessPoolExecutor(2, mp_context=get_context(method)) as executor:
             found.append(stribeck.sweep(coarse, OVER, measure=peak, executor=executor))
     found.append(stribeck.sweep(coarse, OVER, measure=peak, executor=joblib.Parallel(2)))
+    found.append(stribeck.sweep(coarse, OVER, measure=peak, executor=last_first))
     with distributed.Client(n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None) as client:
         found.append(stribeck.sweep(coarse, OVER, measure=peak, executor=client))
     for sweep in found:
@@ -102,9 +122,9 @@ def test_what_does_not_fit_is_refused(coarse: stribeck.Scene, tmp_path: Path) ->
         with pytest.raises(stribeck.InputError):
             stribeck.sweep(coarse, {"load.force": [1.0]}, **keywords)  # type: ignore[arg-type]
     stribeck.sweep(coarse, {"load.force": [10.0]}, folder=tmp_path)
-    with pytest.raises(stribeck.InputError, match="another sweep: over differ"):
+    with pytest.raises(stribeck.InputError, match="another sweep: it differs in over"):
         stribeck.sweep(coarse, {"load.force": [11.0]}, folder=tmp_path)
-    with pytest.raises(stribeck.InputError, match="scene differ"):
+    with pytest.raises(stribeck.InputError, match="differs in scene"):
         stribeck.sweep(coarse.replace(wear=None), {"load.force": [10.0]}, folder=tmp_path)
 
 
@@ -132,6 +152,32 @@ def test_points_of_an_executor_that_dies_are_solved_later(coarse: stribeck.Scene
     whole = stribeck.sweep(coarse, OVER, folder=tmp_path)
     assert not whole.failed
     assert {path.name: path.stat().st_mtime_ns for path in tmp_path.glob("point_*.json")}.items() >= before.items()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals")
+def test_points_of_a_joblib_worker_that_dies_are_lost_and_the_others_kept(coarse: stribeck.Scene, tmp_path: Path) -> None:
+    joblib = pytest.importorskip("joblib")
+    over = {"load.force": [10.0, 11.0, 20.0, 12.0]}
+    sweep = stribeck.sweep(coarse, over, measure=dies_at_one, executor=joblib.Parallel(1, backend="loky"), folder=tmp_path)
+    assert sweep["status"][2] == "lost" and "Terminated" in (sweep[2].error or "")
+    kept = sorted(path.name for path in tmp_path.glob("point_*.json"))
+    # a point whose file was written before the death is there
+    assert [f"point_{k:06d}.json" for k, point in enumerate(sweep) if point["status"] == "converged"] == kept
+
+
+def test_measure_that_exits_is_a_failed_point(coarse: stribeck.Scene) -> None:
+    sweep = stribeck.sweep(coarse, {"load.force": [10.0, 20.0]}, measure=leaves_at_one)
+    assert [point.error for point in sweep] == [None, "measure: SystemExit: no licence left"]
+
+
+def test_damaged_files_of_points_are_solved_again(coarse: stribeck.Scene, tmp_path: Path) -> None:
+    over = {"load.force": [10.0, 20.0]}
+    whole = stribeck.sweep(coarse, over, folder=tmp_path)
+    sound = (tmp_path / "point_000001.json").read_text()
+    for damaged in (sound[:50], "[]", '{"values": [1], "status": "converged", "error": null, "measured": null, "warnings": [{}]}',
+                    '{"values": {}, "status": "converged", "error": null, "measured": null, "warnings": []}'):
+        (tmp_path / "point_000001.json").write_text(damaged)
+        assert stribeck.sweep(coarse, over, folder=tmp_path) == whole, damaged
 
 
 def test_shards_fill_one_folder(coarse: stribeck.Scene, tmp_path: Path) -> None:
@@ -183,7 +229,7 @@ def test_folder_tells_heights_apart(coarse: stribeck.Scene, tmp_path: Path) -> N
     over = {"load.force": [10.0]}
     rough = 2e-8 * np.random.default_rng(0).normal(size=(16, 16))
     stribeck.sweep(coarse, over, heights=np.zeros((16, 16)), folder=tmp_path)
-    with pytest.raises(stribeck.InputError, match="given differ"):
+    with pytest.raises(stribeck.InputError, match="differs in given"):
         stribeck.sweep(coarse, over, heights=rough, folder=tmp_path)
 
 

@@ -143,6 +143,10 @@ impl<D: Holder> DeformationModel for Metered<D> {
         Some(Box::new(Metered { model, meter: Arc::clone(&self.meter), nodes: self.nodes }))
     }
 
+    fn must_stop(&self) -> bool {
+        self.model.model().must_stop()
+    }
+
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
         self.model.model_mut().approximations()
     }

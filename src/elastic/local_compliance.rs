@@ -133,6 +133,10 @@ impl<M: DeformationModel> DeformationModel for WithLocalCompliance<M> {
         Some(Box::new(soft))
     }
 
+    fn must_stop(&self) -> bool {
+        self.bodies.must_stop()
+    }
+
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
         if !self.has_compliance() {
             return self.bodies.approximations();

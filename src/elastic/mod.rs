@@ -102,6 +102,12 @@ pub trait DeformationModel: Debug + Send + Sync {
         None
     }
 
+    /// Whether the caller wants the solve to end. Solvers ask between long parts of an iteration, and
+    /// `displacement` then returns an error. The default is false.
+    fn must_stop(&self) -> bool {
+        false
+    }
+
     /// Cheaper approximations of the response. With `None` (the default) solvers use the exact displacement,
     /// and divide by the self-influence to estimate a pressure.
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
@@ -163,6 +169,10 @@ impl DeformationModel for Box<dyn DeformationModel> {
 
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
         (**self).on_grid(grid)
+    }
+
+    fn must_stop(&self) -> bool {
+        (**self).must_stop()
     }
 
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {

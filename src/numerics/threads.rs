@@ -12,6 +12,9 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// The environment variable that sets the number of threads; `RAYON_NUM_THREADS` is read where it is absent.
 const VARIABLE: &str = "STRIBECK_NUM_THREADS";
 
+/// Most threads for each processor: a thousand threads on two processors hold each other up for minutes.
+const MOST_PER_PROCESSOR: usize = 8;
+
 /// Number of threads that was set; 0 for the default.
 static WANTED: AtomicUsize = AtomicUsize::new(0);
 /// The pool of the process that made it last.
@@ -30,8 +33,13 @@ struct Pool {
 impl Pool {
     /// Threads of this process; `None` where the system refuses them.
     fn new(process: u32, wanted: usize) -> Option<Self> {
-        let of_variable = || std::env::var(VARIABLE).ok()?.parse().ok();
-        let number = if wanted > 0 { wanted } else { of_variable().unwrap_or(0) };
+        let of_variable = |name| std::env::var(name).ok()?.parse::<usize>().ok().filter(|number| *number > 0);
+        let processors = std::thread::available_parallelism().map_or(1, usize::from);
+        let number = Some(wanted)
+            .filter(|wanted| *wanted > 0)
+            .or_else(|| of_variable(VARIABLE))
+            .or_else(|| of_variable("RAYON_NUM_THREADS"))
+            .map_or(processors, |number| number.min(MOST_PER_PROCESSOR * processors));
         let threads = ThreadPoolBuilder::new().num_threads(number).build().ok()?;
         Some(Self { process, wanted, threads: Arc::new(threads) })
     }
@@ -42,7 +50,7 @@ impl Pool {
 }
 
 /// Sets the number of threads of later work in this process; 0 for the default, which is that of the environment
-/// variable `STRIBECK_NUM_THREADS` or of `RAYON_NUM_THREADS`, else the number of processors. Results do not
+/// variable `STRIBECK_NUM_THREADS` or of `RAYON_NUM_THREADS`, else the number of processors, and at most eight times that number. Results do not
 /// depend on it. Within a pool of `rayon` (`ThreadPool::install`) that pool counts.
 ///
 /// ```
@@ -92,5 +100,19 @@ pub(super) fn join<A: Send, B: Send>(
     match pool() {
         Some(pool) => pool.install(|| rayon::join(first, second)),
         None => (first(), second()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pool_has_at_most_eight_threads_for_each_processor() {
+        let processors = std::thread::available_parallelism().map_or(1, usize::from);
+        for (wanted, expected) in [(3, 3), (1000, 1000.min(MOST_PER_PROCESSOR * processors))] {
+            let pool = Pool::new(0, wanted).map(|pool| pool.threads.current_num_threads());
+            assert_eq!(pool, Some(expected));
+        }
     }
 }

@@ -128,6 +128,8 @@ fn read_content(bytes: &[u8], path: &Path, options: Options) -> Result<Surface, 
         plu::read(source)
     } else if text::recognises(bytes) {
         text::read(source)
+    } else if prf::has_control_characters(bytes) {
+        prf::read_with_control_characters(source)
     } else {
         Err(source.unknown())
     }

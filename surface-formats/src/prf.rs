@@ -1,16 +1,20 @@
 //! Profiles and surfaces of the SMD format of ISO 5436-2 (`.prf`, `.smd`).
 //!
-//! Three records that end with `EOR`: names and axes, free text, heights. An axis is its name, type (`I` at
-//! equal distances), number of points, unit, factor and type of numbers.
+//! Three records that end with the line `EOR` or the control character ETX: names and axes, free text, heights. A
+//! checksum may follow; it is not verified. An axis is its name, type (`I` at equal distances), number of points, unit,
+//! factor and type of numbers, between blanks or NUL, and perhaps its increment, which the factor multiplies.
 
 use crate::error::Error;
-use crate::source::{Source, shortened};
+use crate::source::{Source, decode_text, shortened};
 use crate::surface::Surface;
 use crate::text::number::parse_height;
 use crate::unit::LengthUnit;
 
-/// End of a record.
+/// End of a record: a line, or a control character.
 const END: &str = "EOR";
+const ETX: char = '\u{3}';
+/// Place of the increment among the fields of an axis.
+const INCREMENT: usize = 6;
 /// Lines among which the axes begin.
 const HEAD: usize = 6;
 
@@ -33,11 +37,33 @@ pub(crate) fn recognises(lines: &[Line<'_>]) -> bool {
     lines.iter().take(HEAD).any(|(_, line)| is_axis(line)) && lines.iter().any(|(_, line)| line.trim() == END)
 }
 
+/// Whether the content is text but for NUL and ETX, with an axis before the first ETX.
+pub(crate) fn has_control_characters(bytes: &[u8]) -> bool {
+    let Some(end) = bytes.iter().position(|&byte| byte == ETX as u8) else { return false };
+    let head = &bytes[..end];
+    head.iter().all(|&byte| byte >= b' ' || matches!(byte, 0 | b'\t' | b'\n' | b'\r'))
+        && head.windows(3).any(|start| matches!(start, b"CX " | b"CX\0"))
+}
+
+/// The heights of a file whose records end with ETX.
+pub(crate) fn read_with_control_characters(source: Source<'_>) -> Result<Surface, Error> {
+    let content = decode_text(source.bytes).replace('\0', " ");
+    let mut lines = Vec::new();
+    for (line, text) in content.lines().enumerate() {
+        for (part, text) in text.split(ETX).enumerate() {
+            lines.extend((part > 0).then_some((line + 1, END)));
+            lines.extend((!text.trim().is_empty()).then_some((line + 1, text)));
+        }
+    }
+    read(source, &lines)
+}
+
 /// The heights of the third record.
 pub(crate) fn read(source: Source<'_>, lines: &[Line<'_>]) -> Result<Surface, Error> {
     let mut records = lines.split(|(_, line)| line.trim() == END);
     let head = records.next().unwrap_or_default();
-    let data = records.nth(1).ok_or_else(|| source.corrupt("fewer than three records (EOR)".to_owned()))?;
+    let data =
+        records.nth(1).ok_or_else(|| source.corrupt("fewer than three records (EOR or ETX)".to_owned()))?;
     let axis = |name: &str| -> Result<Option<Axis<'_>>, Error> {
         let line = head.iter().find(|(_, line)| line.split_whitespace().next() == Some(name));
         line.map(|(number, line)| parse_axis(source, *number, line)).transpose()
@@ -80,14 +106,16 @@ fn parse_axis<'a>(source: Source<'_>, number: usize, line: &'a str) -> Result<Ax
         |field: &str| source.corrupt(format!("line {number}: \"{}\" is not usable", shortened(field)));
     let points =
         parse_height(count).filter(|count| (1.0..1e9).contains(count)).ok_or_else(|| wrong(count))?;
-    let factor_value = parse_height(factor).filter(|value| value.is_finite()).ok_or_else(|| wrong(factor))?;
+    let number =
+        |field: &str| parse_height(field).filter(|value| value.is_finite()).ok_or_else(|| wrong(field));
+    let increment = fields.get(INCREMENT).map_or(Ok(1.0), |field| number(field))?;
     // units are written in capitals
     let unit = source.unit(&unit.to_lowercase(), name)?;
     Ok(Axis {
         is_equidistant: kind == "I",
         count: points as usize,
         unit,
-        metres: factor_value * unit.metres(),
+        metres: number(factor)? * increment * unit.metres(),
         name,
     })
 }

@@ -31,11 +31,15 @@ pub enum LengthUnit {
     Picometre,
     /// Inch, 25.4 mm
     Inch,
+    /// mil, a thousandth of an inch
+    Mil,
+    /// Millionth of an inch, 25.4 nm
+    Microinch,
 }
 
 impl LengthUnit {
     /// All units.
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 11] = [
         Self::Kilometre,
         Self::Metre,
         Self::Centimetre,
@@ -45,6 +49,8 @@ impl LengthUnit {
         Self::Angstrom,
         Self::Picometre,
         Self::Inch,
+        Self::Mil,
+        Self::Microinch,
     ];
 
     /// The unit with the symbol or name `text`, with the micro sign in any of its encodings.
@@ -69,6 +75,8 @@ impl LengthUnit {
             "\u{c5}" | "\u{212b}" | "A" => Self::Angstrom,
             "pm" => Self::Picometre,
             "in" => Self::Inch,
+            "mil" => Self::Mil,
+            "uin" | "\u{b5}in" | "\u{3bc}in" => Self::Microinch,
             _ => return Self::parse_word(&text.to_lowercase()),
         })
     }
@@ -86,6 +94,8 @@ impl LengthUnit {
             (Some("pico"), _) => Self::Picometre,
             (None, "angstrom" | "ang" | "\u{e5}ngstr\u{f6}m") => Self::Angstrom,
             (None, "inch" | "inche") => Self::Inch,
+            (None, "mil" | "thou") => Self::Mil,
+            (None, "microinch" | "microinche") => Self::Microinch,
             _ => return None,
         })
     }
@@ -108,6 +118,8 @@ impl LengthUnit {
             Self::Angstrom => 1e-10,
             Self::Picometre => 1e-12,
             Self::Inch => 25.4e-3,
+            Self::Mil => 25.4e-6,
+            Self::Microinch => 25.4e-9,
         }
     }
 }
@@ -124,6 +136,8 @@ impl fmt::Display for LengthUnit {
             Self::Angstrom => "Angstrom",
             Self::Picometre => "pm",
             Self::Inch => "in",
+            Self::Mil => "mil",
+            Self::Microinch => "uin",
         })
     }
 }

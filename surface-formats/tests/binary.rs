@@ -300,3 +300,36 @@ fn digital_surf_heights_may_be_upside_down() {
         }
     }
 }
+
+/// A file of ISO 5436-2 whose records end with ETX, with fields between `blank`.
+fn smd(x: &str, y: &str, heights: &str, blank: &str) -> Vec<u8> {
+    let text = format!(
+        "ISO 5436-2 - 2000\r\nprofile 1\r\nPRF 1 p\r\n{x}\r\n{y}CZ A 4 um 2.0E+000 D\r\n\x03\r\nDATE 1\r\n\x03\r\n{heights}\r\n\x03\r\n4711\r\n\x03\r\n"
+    );
+    text.replace(' ', blank).into_bytes()
+}
+
+#[test]
+fn records_that_end_with_a_control_character_read() {
+    let x = "CX I 4 mm 1.0E+000 D 5.0E-004";
+    for blank in [" ", "\0"] {
+        let profile = read_bytes(&smd(x, "", "-1.5\r\n0.5\r\n1\r\n2", blank), "a.smd").unwrap();
+        assert_eq!((profile.nx, profile.ny, profile.unit), (4, 1, Some(LengthUnit::Micrometre)));
+        assert!((profile.spacing.unwrap()[0] - 0.5e-6).abs() < 1e-20, "factor times increment, in mm");
+        let nanometres: Vec<i64> = profile.heights.iter().map(|z| (z * 1e9).round() as i64).collect();
+        assert_eq!(nanometres, [-3000, 1000, 2000, 4000]);
+    }
+    let map = smd("CX I 2 mm 1.0 D 5.0E-004", "CY I 2 um 2.0 D 3.0\r\n", "1\r\n2\r\n3\r\n4", " ");
+    let map = read_bytes(&map, "a.smd").unwrap();
+    assert_eq!((map.nx, map.ny), (2, 2));
+    assert!((map.spacing.unwrap()[1] - 6e-6).abs() < 1e-18);
+    for (x, heights, expected) in [
+        (x, "1\r\n2\r\n3", "3 heights, the axes say 4 x 1"),
+        (x, "1\r\n2\r\nx\r\n4", "line 11: \"x\" is not a number"),
+        ("CX A 4 mm 1.0 D", "1\r\n2\r\n3\r\n4", "axis CX is not of type I"),
+        ("CX I 4 mm 1.0 D -1", "1\r\n2\r\n3\r\n4", "dx = -0.001 m"),
+    ] {
+        let error = read_bytes(&smd(x, "", heights, " "), "a.smd").unwrap_err().to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}

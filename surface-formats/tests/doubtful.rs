@@ -189,7 +189,7 @@ fn units_that_contradict_each_other_are_refused() {
         "# x-length = 2\n# y-length = 2\n# z-unit = um\n# Bit2nm = 2\n1 2\n3 4\n",
         "bit2nm = 2 contradicts",
     );
-    refused("unit: mil\n1 2\n3 4\n", "unit: \"mil\" is no unit of length");
+    refused("unit: px\n1 2\n3 4\n", "unit: \"mil\" is no unit of length");
     // positions take the unit of all
     let profile = read("# unit: um\nx,z (nm)\n0,1\n1,2\n2,4\n");
     assert_eq!((profile.spacing.unwrap()[0], profile.heights[1]), (1e-6, 2e-9));
@@ -273,5 +273,81 @@ fn content_that_holds_no_heights_is_not_called_a_format() {
     ] {
         let Err(Error::Foreign { format, .. }) = read_bytes(bytes, "a.bin") else { panic!("{expected}") };
         assert_eq!(format, expected);
+    }
+}
+
+#[test]
+fn meshes_of_triangles_are_refused() {
+    let points = "v 0 0 1\nv 1 0 2\nv 0 1 3\nv 1 1 4\n";
+    for content in [format!("{points}f 1 2 3\n"), format!("# made by hand\nmtllib a.mtl\n{points}")] {
+        refused(&content, "a mesh of triangles");
+    }
+    let ply =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nend_header\n0 0 1\n1 0 2\n0 1 3\n1 1 4\n";
+    refused(ply, "write x, y and heights of its points as columns");
+}
+
+#[test]
+fn matrix_behind_the_heights_marks_undefined_points_of_spip() {
+    let head = "# File Format = ASCII\n# x-pixels = 3\n# y-pixels = 2\n# x-length = 30\n# y-length = 20\n# voidpixels = 2\n\
+                # z-unit = nm\n# Start of Data:\n1\t2\t3\n4\t5\t6\n";
+    let surface = read(&format!("{head}1\t0\t1\n1\t1\t0\n"));
+    let found: Vec<Option<f64>> =
+        surface.heights.iter().map(|z| (!z.is_nan()).then(|| (z * 1e9).round())).collect();
+    assert_eq!(found, [Some(1.0), None, Some(3.0), Some(4.0), Some(5.0), None]);
+    assert!(surface.warnings.is_empty(), "{:?}", surface.warnings);
+    refused(&format!("{head}1\t0\t1\n1\t1\t7\n"), "7 in the matrix of voidpixels");
+    let without = read(head);
+    assert!(without.warnings.iter().any(|doubt| doubt.contains("voidpixels")), "{:?}", without.warnings);
+}
+
+#[test]
+fn profile_of_spip_has_the_units_of_its_axes() {
+    let line = |k: usize| format!("{}\t{}\n", 100 * k, k % 3);
+    let head = "# File Format = ASCII\n# points = 30\n# X-Axis: nm; Y-Axis: nm\n# Start of Data:\n";
+    let surface = read(&(head.to_owned() + &(0..30).map(line).collect::<String>()));
+    assert_eq!((surface.nx, surface.ny, surface.unit), (30, 1, Some(LengthUnit::Nanometre)));
+    assert!((surface.spacing.unwrap()[0] * 1e9 - 100.0).abs() < 1e-9);
+    assert_eq!(nanometres(&surface)[..4], [0, 1, 2, 0]);
+}
+
+#[test]
+fn unit_in_words_or_in_german_is_that_of_the_heights() {
+    for head in ["# heights in nm", "Werteinheiten: nm", "# Werteinheit: nm"] {
+        let surface = read(&format!("{head}\n1 2 3 4\n5 6 7 8\n"));
+        assert_eq!(
+            (nanometres(&surface)[7], surface.warnings.len()),
+            (8, 0),
+            "{head}: {:?}",
+            surface.warnings
+        );
+    }
+}
+
+#[test]
+fn parts_of_an_inch_are_units() {
+    let surface = read("x (mil),z (uin)\n0,1\n2,3\n4,2\n6,1\n");
+    assert_eq!(surface.unit, Some(LengthUnit::Microinch));
+    assert!(
+        (surface.spacing.unwrap()[0] - 50.8e-6).abs() < 1e-15 && (surface.heights[1] - 76.2e-9).abs() < 1e-18
+    );
+}
+
+#[test]
+fn size_along_one_axis_names_the_line_that_gives_the_other() {
+    refused("unit: um\ndx: 0.5 um\n1 2 3 4\n5 6 7 8\n", "a line \"dy = 0.5 um\" gives the other");
+    refused("unit: um\nheight: 5 um\n1 2 3 4\n5 6 7 8\n", "a line \"dx = 0.5 um\" gives the other");
+}
+
+#[test]
+fn known_exports_have_no_unknown_keys() {
+    let keyence = "\"Measurement Data\",\"VK-X3000\"\n\"Model name\",\"VK-X3100\"\n\"Measurement data type\",\"Surface data\"\n\
+                   \"XY Calibration\",\"138.450\",\"nm\"\n\"Unit\",\"um\"\n\n\"Height\"\n\"1.5\",\"2.5\",\"3.5\",\"4.5\"\n\"5.5\",\"6.5\",\"7.5\",\"9.5\"\n";
+    let spip = "# File Format = ASCII\n# Created by SPIP 6.7 2024\n# Original file: x.spm\n# x-pixels = 4\n# y-pixels = 1\n\
+                # x-length = 4\n# y-length = 1\n# x-offset = 0\n# y-offset = 0\n# scanspeed = 1\n# forward = 1\n# z-unit = nm\n\
+                # Start of Data:\n1\t2\t4\t3\n";
+    for content in [keyence, spip] {
+        let surface = read(content);
+        assert!(surface.warnings.is_empty() && surface.spacing.is_some(), "{:?}", surface.warnings);
     }
 }

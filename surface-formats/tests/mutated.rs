@@ -230,6 +230,8 @@ fn mutated_exports_do_not_panic() {
     survives(zygo.as_bytes(), 42, |bytes| bytes);
     let prf = "1 2\nSG 0 PRF\nCX I 4 MM 2.5e-4 D\nCZ M 4 UM 1e-1 L\nEOR\nEOR\n-2\n2\n-2\n2\nEOR\n";
     survives(prf.as_bytes(), 43, |bytes| bytes);
+    let smd = "ISO 5436-2 - 2000\nname\nPRF 1 p\nCX I 4 mm 1 D 5e-4\nCZ A 4 um 1 D\n\x03\nDATE 1\n\x03\n-2\n2\n-2\n2\n\x03\n1\n\x03\n";
+    survives(smd.as_bytes(), 44, |bytes| bytes);
     let keyence = "XY Calibration,500.0,nm\nHorizontal,4\nVertical,3\nUnit,um\n\nHeight\n1.0,2.0,3.0,4.0\n5.0,6.0,7.0,8.0\n9.0,10.0,11.0,12.0\n";
     survives(keyence.as_bytes(), 44, |bytes| bytes);
     let nova = "NX = 4\nNY = 3\nScale X = 0.5\nScale Y = 0.25\nScale Data = 2\nDataScaleNeeded = Yes\nUnit X = um\nUnit Data = nm\n1\t2\t3\t4\n5\t6\t7\t8\n9\t10\t11\t12\n";

@@ -73,6 +73,16 @@ impl GridLu {
     /// Factorizes the matrix with row `k` in `stencil[5 k..5 k + 5]`, in the order center, east, west, north,
     /// south. Entries that point outside the grid must be zero. Returns whether all pivots are finite.
     pub(crate) fn factorise(&mut self, stencil: &[f32]) -> bool {
+        self.factorise_unless(stencil, &|| false)
+    }
+
+    /// As [`factorise`](Self::factorise); false also where `must_stop` becomes true, which is polled before each
+    /// large front.
+    pub(crate) fn factorise_unless(
+        &mut self,
+        stencil: &[f32],
+        must_stop: &(dyn Fn() -> bool + Sync),
+    ) -> bool {
         for (row, scale) in stencil.chunks_exact(STENCIL).zip(&mut self.scale) {
             let largest = row.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
             *scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
@@ -86,7 +96,7 @@ impl GridLu {
             has_entry(node, slot) || has_entry(node.wrapping_add_signed(offsets[slot + 1]), slot ^ 1)
         });
         let matrix = Matrix { stencil, scale: &self.scale };
-        let is_finite = self.tree.eliminate(matrix) && self.eliminate_decoupled(stencil);
+        let is_finite = self.tree.eliminate(matrix, must_stop) && self.eliminate_decoupled(stencil);
         self.factorised = is_finite;
         is_finite
     }
@@ -222,6 +232,16 @@ mod tests {
         for (k, (x, exact)) in x.iter().zip(exact.iter()).enumerate() {
             assert!((f64::from(*x) / exact - 1.0).abs() < 1e-4, "node {k}: {x} for {exact}");
         }
+    }
+
+    #[test]
+    fn factorization_stops_when_told_to() {
+        let (nx, ny) = (200, 200);
+        let (stencil, polls) = (matrix(nx, ny), std::sync::atomic::AtomicUsize::new(0));
+        let must_stop = || polls.fetch_add(1, std::sync::atomic::Ordering::Relaxed) == 2;
+        let mut lu = GridLu::new(nx, ny);
+        assert!(!lu.factorise_unless(&stencil, &must_stop));
+        assert!(lu.factorise_unless(&stencil, &must_stop), "all later polls are false");
     }
 
     #[test]

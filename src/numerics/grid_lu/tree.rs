@@ -15,6 +15,9 @@ use super::front::{Elimination, extend_add};
 use super::structure::{Front, Structure};
 use crate::numerics::parallel::join;
 
+/// Pivots of a front from which on an interruption is polled before it.
+const LARGE_FRONT: usize = 64;
+
 /// Storage of the fronts of a subtree.
 #[derive(Debug)]
 struct Subtree<'a> {
@@ -99,11 +102,11 @@ impl Tree {
         )
     }
 
-    /// Factorizes a matrix; returns whether all pivots are finite.
-    pub(super) fn eliminate(&mut self, matrix: Matrix<'_>) -> bool {
+    /// Factorizes a matrix; returns whether all pivots are finite and `must_stop` was false throughout.
+    pub(super) fn eliminate(&mut self, matrix: Matrix<'_>, must_stop: &(dyn Fn() -> bool + Sync)) -> bool {
         let root = self.structure.fronts.len() - 1;
         let (traversal, subtree, stacks) = self.parts();
-        traversal.eliminate(root, subtree, stacks, matrix)
+        traversal.eliminate(root, subtree, stacks, matrix, must_stop)
     }
 
     /// Overwrites the right-hand side at the coupled nodes with the solution.
@@ -239,15 +242,19 @@ impl Traversal<'_> {
     }
 
     /// Factorizes the subtree with the root front `root` and leaves its update matrix on the first stack.
-    /// Returns whether all pivots are finite.
+    /// Returns whether all pivots are finite and `must_stop` was false throughout.
     fn eliminate(
         &self,
         root: usize,
         mut subtree: Subtree<'_>,
         [own, other]: [&mut [f32]; 2],
         matrix: Matrix<'_>,
+        must_stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
         let structure = self.structure;
+        if structure.fronts[root].pivots.len() >= LARGE_FRONT && must_stop() {
+            return false;
+        }
         // the two subtrees, in parallel or one after the other
         let (mut is_finite, mut second) = (true, 0);
         if let Some([one, two]) = self.parallel_children(root, &subtree) {
@@ -256,19 +263,22 @@ impl Traversal<'_> {
             let (one_own, two_own) = other.split_at_mut(second);
             let (one_other, two_other) = own.split_at_mut(self.stack_sizes[one][1]);
             let are_finite = join(
-                || self.eliminate(one, left, [one_own, one_other], matrix),
-                || self.eliminate(two, right, [two_own, two_other], matrix),
+                || self.eliminate(one, left, [one_own, one_other], matrix, must_stop),
+                || self.eliminate(two, right, [two_own, two_other], matrix, must_stop),
             );
             is_finite = are_finite.0 && are_finite.1;
         } else if let Some([one, two]) = self.supernodes[root].children {
             second = structure.fronts[one].update_length();
-            is_finite &= self.eliminate(one, subtree.all(), [&mut *other, &mut *own], matrix);
-            is_finite &= self.eliminate(two, subtree.all(), [&mut other[second..], &mut *own], matrix);
+            is_finite = self.eliminate(one, subtree.all(), [&mut *other, &mut *own], matrix, must_stop)
+                && self.eliminate(two, subtree.all(), [&mut other[second..], &mut *own], matrix, must_stop);
+        }
+        if !is_finite {
+            return false;
         }
         // assemble the children's update matrices and eliminate the pivots
         let front = &structure.fronts[root];
         let Subtree { first, factors, scratch, .. } = subtree;
-        let Some(scratch) = scratch.first_mut().filter(|_| !front.is_empty()) else { return is_finite };
+        let Some(scratch) = scratch.first_mut().filter(|_| !front.is_empty()) else { return true };
         let values = &mut factors[front.factors_at - structure.fronts[first].factors_at..][..front.factors()];
         let mut children = [None; 2];
         if let Some(pair) = self.supernodes[root].children {
@@ -281,7 +291,7 @@ impl Traversal<'_> {
         }
         let update_matrix = &mut own[..front.update_length()];
         let work = Elimination { front, structure, matrix, values, children, update_matrix, scratch };
-        self.arch.dispatch(work) && is_finite
+        self.arch.dispatch(work)
     }
 
     /// Forward substitution, from the leaves to the root.

@@ -7,8 +7,8 @@ use crate::numerics::GridLu;
 /// Solves the fluid equations in which films respond to their own pressures alone: a matrix on the five-point
 /// stencil, row `k` at `stencil[5 k..5 k + 5]` in the order center, east, west, north, south.
 pub(in crate::reynolds) trait FluidBlock: Debug + Send + Sync {
-    /// Factorizes a new matrix; false where it has no finite factors.
-    fn prepare(&mut self, stencil: &[f32]) -> bool;
+    /// Factorizes a new matrix; false where it has no finite factors or `must_stop` becomes true.
+    fn prepare(&mut self, stencil: &[f32], must_stop: &(dyn Fn() -> bool + Sync)) -> bool;
 
     /// Overwrites the right-hand side with the solution or an estimate of it.
     fn solve(&mut self, stencil: &[f32], rhs: &mut [f32]);
@@ -19,8 +19,8 @@ pub(in crate::reynolds) trait FluidBlock: Debug + Send + Sync {
 }
 
 impl FluidBlock for GridLu {
-    fn prepare(&mut self, stencil: &[f32]) -> bool {
-        self.factorise(stencil)
+    fn prepare(&mut self, stencil: &[f32], must_stop: &(dyn Fn() -> bool + Sync)) -> bool {
+        self.factorise_unless(stencil, must_stop)
     }
 
     fn solve(&mut self, _stencil: &[f32], rhs: &mut [f32]) {

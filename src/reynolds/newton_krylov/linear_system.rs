@@ -47,7 +47,7 @@ impl LinearSystem {
     }
 
     /// Linearizes at the state and flow in `coupled` and solves, to the reduction `tolerance` of the residual;
-    /// returns the Krylov steps, or `None` where the fluid equations have no finite factors.
+    /// returns the Krylov steps, or `None` where the fluid equations have no finite factors or the solve must stop.
     ///
     /// The right-hand side contains the whole elastic response, products its periodic approximation; the error
     /// of that is corrected in the next step.
@@ -65,7 +65,9 @@ impl LinearSystem {
             linearization.update(&coupled.fluid, coupled.near.own);
         }
         // Factorize the fluid block and prepare the border of the load balance.
-        if !preconditioner.prepare(coupled, linearization, unknowns, problem) {
+        if problem.deformation.must_stop()
+            || !preconditioner.prepare(coupled, linearization, unknowns, problem)
+        {
             return Ok(None);
         }
         // A row is solved to the rounding of its own numbers: it takes whole responses throughout.

@@ -67,7 +67,7 @@ impl BlockPreconditioner {
     }
 
     /// Factorizes the fluid block, and scales the mass balances by its rows; false where the block has no finite
-    /// factors.
+    /// factors or the solve must stop.
     pub(super) fn prepare(
         &mut self,
         coupled: &Coupled,
@@ -105,7 +105,7 @@ impl BlockPreconditioner {
         }
         // Scale the rows and factorize.
         unknowns.set_row_sizes(|k| self.fluid_block.row_size(self.stencil[STENCIL * k]));
-        self.fluid_block.prepare(&self.stencil)
+        self.fluid_block.prepare(&self.stencil, &|| problem.deformation.must_stop())
     }
 
     /// Marks the nodes whose inflow reaches a node with a balance.

@@ -77,7 +77,7 @@ impl LineBlock {
 }
 
 impl FluidBlock for LineBlock {
-    fn prepare(&mut self, stencil: &[f32]) -> bool {
+    fn prepare(&mut self, stencil: &[f32], _must_stop: &(dyn Fn() -> bool + Sync)) -> bool {
         let mut above = 0.0;
         for (k, row) in stencil.chunks_exact(STENCIL).enumerate() {
             if k % self.nx == 0 {
@@ -149,7 +149,7 @@ mod tests {
             row[0] = 0.5;
         }
         let mut relaxation = LineBlock::new(&grid);
-        assert!(relaxation.prepare(&stencil));
+        assert!(relaxation.prepare(&stencil, &|| false));
         let mut values = vec![1.0; grid.len()];
         relaxation.solve(&stencil, &mut values);
         let mut first = vec![0.0; grid.len()];
@@ -180,7 +180,7 @@ mod tests {
                 })
                 .collect();
             let mut relaxation = LineBlock::new(&grid);
-            assert!(relaxation.prepare(&stencil));
+            assert!(relaxation.prepare(&stencil, &|| false));
             relaxation.solve(&stencil, &mut values);
             for (k, (found, exact)) in values.iter().zip(&exact).enumerate() {
                 assert!((found - exact).abs() < 1e-5, "node {k} of {nx} x {ny}: {found} for {exact}");

@@ -1,7 +1,8 @@
 //! Interruption of a solve by the caller.
 //!
 //! Solvers need no support for it: every solver computes a displacement in each iteration, and the deformation model
-//! returns an error when the solve is interrupted. A flag records this, whatever the solver does with the error.
+//! returns an error when the solve is interrupted. A flag records this, whatever the solver does with the error. Newton's
+//! method also asks `must_stop` within its factorization, which takes long on large meshes.
 //! Preparations of large meshes poll the interrupt between their parts, once laws and bodies are valid: an error of
 //! the input comes before the first poll.
 
@@ -91,8 +92,7 @@ impl<M: DeformationModel + ?Sized> DeformationModel for Interruptible<M> {
     }
 
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        if self.interrupt.as_ref().is_some_and(|interrupt| (interrupt.0)()) {
-            self.was_interrupted.store(true, Ordering::Relaxed);
+        if self.must_stop() {
             return Err(InputError::Conflict {
                 field: "solve".to_owned(),
                 reason: "it was interrupted".to_owned(),
@@ -107,6 +107,14 @@ impl<M: DeformationModel + ?Sized> DeformationModel for Interruptible<M> {
 
     fn self_influence(&self, node: usize) -> f64 {
         self.model.self_influence(node)
+    }
+
+    fn must_stop(&self) -> bool {
+        let asked = || self.interrupt.as_ref().is_some_and(|interrupt| (interrupt.0)());
+        // the callback may return true only once
+        let stops = self.was_interrupted.load(Ordering::Relaxed) || asked() || self.model.must_stop();
+        self.was_interrupted.fetch_or(stops, Ordering::Relaxed);
+        stops
     }
 
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {

@@ -59,7 +59,11 @@ impl Identity {
             };
             let lacks = |text: &str, other: &str| -> Vec<String> {
                 let lines = text.lines().filter(|line| !other.lines().any(|other| other == *line));
-                lines.take(MOST_LINES).map(str::to_owned).collect()
+                // the last line closes the bracket behind the name of the law
+                let closes = |line: &str| line.matches(')').count() > line.matches('(').count();
+                let plain =
+                    |line: &str| line.strip_suffix(')').filter(|_| closes(line)).unwrap_or(line).to_owned();
+                lines.take(MOST_LINES).map(plain).collect()
             };
             let (here, there) = (lacks(words, then).join(", "), lacks(then, words).join(", "));
             details.push(format!("{name}: here {here}; in the file {there}"));

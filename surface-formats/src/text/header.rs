@@ -5,7 +5,7 @@ mod resolved;
 
 use super::keys::{Key, meaning};
 use super::number::is_undefined;
-use super::pairs::{pairs, plain_key, quantity, split_unit};
+use super::pairs::{pairs, plain_key, quantity, split_unit, unit_in_words};
 use super::style::{Line, unquoted};
 use super::titles::{Column, column};
 use crate::error::Error;
@@ -49,6 +49,8 @@ pub(super) struct Header {
     nanometres: Option<f64>,
     /// Stored number of undefined points.
     pub(super) no_data: Option<f64>,
+    /// Whether a second matrix marks undefined points with zeros.
+    pub(super) has_void_matrix: bool,
     /// Name of the surface.
     pub(super) name: Option<String>,
     /// Whether anything was understood that heights depend on.
@@ -84,6 +86,12 @@ fn set<T: Clone>(
     Ok(())
 }
 
+/// Units of positions and heights of a profile of SPIP: `X-Axis: nm; Y-Axis: nm`.
+fn axes_of_profile(line: &str) -> Option<(&str, &str)> {
+    let (x, z) = line.strip_prefix("X-Axis:")?.split_once(';')?;
+    Some((x.trim(), z.trim().strip_prefix("Y-Axis:")?.trim()))
+}
+
 impl Header {
     /// The header in `lines`.
     pub(super) fn read(source: Source<'_>, lines: &[Line<'_>]) -> Result<Self, Error> {
@@ -106,15 +114,19 @@ impl Header {
         if let Some(unit) = LengthUnit::parse(line.trim_matches(['[', ']', '(', ')'])) {
             return self.set_height_unit(source, "unit", &unit.to_string());
         }
+        if let Some((x, z)) = axes_of_profile(line) {
+            self.set_lateral_unit(source, "X-Axis", 0, x)?;
+            return self.set_height_unit(source, "Y-Axis", z);
+        }
         let found = pairs(line);
         if found.is_empty() {
-            let (title, unit) = split_unit(line);
+            let (title, unit) = unit_in_words(line).unwrap_or_else(|| split_unit(line));
             let is_height = column(title) == Column::Z;
             if is_height && !unit.is_empty() {
                 return self.set_height_unit(source, title, unit);
             }
             let key = plain_key(title);
-            let is_known = is_height || meaning(&key).is_some() || key.starts_with("created by");
+            let is_known = is_height || meaning(&key).is_some();
             if !is_known {
                 self.unknown.push(shortened(line));
             }
@@ -201,6 +213,10 @@ impl Header {
                 if !is_undefined(value) {
                     self.take_number(source, &name, value, |header| &mut header.no_data)?;
                 }
+                Ok(())
+            }
+            Key::VoidPixels => {
+                self.has_void_matrix = quantity(value).is_some_and(|(count, _)| count > 0.0);
                 Ok(())
             }
             Key::Name => {

@@ -34,6 +34,8 @@ pub(super) enum Key {
     FactorNeeded,
     /// Stored number of undefined points.
     NoData,
+    /// Number of undefined points, which a second matrix marks.
+    VoidPixels,
     /// Name of the surface.
     Name,
     /// Nothing that heights depend on.
@@ -105,6 +107,8 @@ pub(super) fn meaning(key: &str) -> Option<Key> {
         | "image units"
         | "vertical units"
         | "einheiten"
+        | "werteinheit"
+        | "werteinheiten"
         | "unit\u{e9}s"
         | "unit\u{e0} valore"
         | "unidades de valor"
@@ -117,6 +121,7 @@ pub(super) fn meaning(key: &str) -> Option<Key> {
         "scale data" => Key::ScaleData,
         "datascaleneeded" | "data scale needed" => Key::FactorNeeded,
         "nodata value" | "nodata" | "no data value" | "void pixel value" => Key::NoData,
+        "voidpixels" => Key::VoidPixels,
         "channel"
         | "kanal"
         | "canal"
@@ -127,9 +132,9 @@ pub(super) fn meaning(key: &str) -> Option<Key> {
         | "\u{30c1}\u{30e3}\u{30f3}\u{30cd}\u{30eb}"
         | "\u{cc44}\u{b110}"
         | "title"
+        | "scan name"
         | "name" => Key::Name,
         "file format"
-        | "created by"
         | "start of data"
         | "date"
         | "time"
@@ -151,11 +156,23 @@ pub(super) fn meaning(key: &str) -> Option<Key> {
         | "minimum value"
         | "maximum value"
         | "model"
+        | "model name"
+        | "measurement data"
+        | "measurement data type"
+        | "original file"
+        | "file name"
+        | "x offset"
+        | "y offset"
+        | "bias x"
+        | "bias y"
+        | "scanspeed"
+        | "forward"
         | "meta data"
         | "scan parameters"
         | "scan data"
         | "file list"
         | "file list end" => Key::Nothing,
+        _ if key.starts_with("created by") => Key::Nothing,
         _ if key.starts_with("height conversion factor") => Key::Factor,
         _ => return None,
     })

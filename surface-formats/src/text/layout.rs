@@ -84,6 +84,7 @@ impl Content<'_> {
 
     /// A matrix of the size that the header counts, whose rows may be wrapped; or columns of as many points.
     fn counted(mut self, nx: usize, ny: usize) -> Result<Surface, Error> {
+        self.take_void_matrix(nx, ny)?;
         let fits = |table: &Table| nx.checked_mul(ny) == Some(table.values.len());
         let mut edges = None;
         if !fits(&self.table) {
@@ -111,6 +112,30 @@ impl Content<'_> {
         }
         (self.table.columns, self.table.rows) = (nx, ny);
         self.matrix(edges)
+    }
+
+    /// Applies the matrix behind the heights whose zeros mark undefined points and whose ones mark the others.
+    fn take_void_matrix(&mut self, nx: usize, ny: usize) -> Result<(), Error> {
+        let count = nx.saturating_mul(ny);
+        let is_there = count.checked_mul(2) == Some(self.table.values.len()) && self.table.rows == 2 * ny;
+        if !self.header.has_void_matrix {
+            return Ok(());
+        }
+        if !is_there {
+            let message = "voidpixels counts undefined points, and no matrix behind the heights marks them";
+            let marked = self.table.values.iter().any(|value| value.is_nan());
+            self.warnings.extend((!marked).then(|| message.to_owned()));
+            return Ok(());
+        }
+        let marks = self.table.values.split_off(count);
+        if let Some(mark) = marks.iter().find(|mark| **mark != 0.0 && **mark != 1.0) {
+            let what = format!("{mark} in the matrix of voidpixels, which holds zeros and ones");
+            return Err(self.source.corrupt(what));
+        }
+        let points = self.table.values.iter_mut().zip(marks);
+        points.filter(|(_, mark)| *mark == 0.0).for_each(|(value, _)| *value = f64::NAN);
+        self.table.rows = ny;
+        Ok(())
     }
 
     /// Rows of heights, with the coordinates that stood at their edges.

@@ -60,6 +60,10 @@ pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
         Some((_, first)) if first.starts_with(wyko::MAGIC) => return wyko::read(source, &lines),
         Some((_, first)) if first.starts_with(zygo::MAGIC) => return zygo::read(source, &lines),
         Some(_) if prf::recognises(&lines) => return prf::read(source, &lines),
+        Some(_) if is_mesh(&lines) => {
+            let what = "a mesh of triangles; write x, y and heights of its points as columns".to_owned();
+            return Err(source.unsupported(what));
+        }
         _ => {}
     }
     let (found, rest) = blocks(&lines);
@@ -82,6 +86,13 @@ pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
     // a block without a header of its own has that of the first
     let described = if headers[chosen].is_known { chosen } else { 0 };
     read_block(source, &blocks[chosen], &blocks[described].header, &rest)
+}
+
+/// Whether the first line is that of a mesh in the formats PLY or OBJ.
+fn is_mesh(lines: &[Line<'_>]) -> bool {
+    let begins = |line: &str| ["v ", "o ", "g ", "mtllib "].iter().any(|word| line.starts_with(word));
+    let mut filled = lines.iter().map(|(_, line)| line.trim()).filter(|line| !line.is_empty());
+    filled.clone().next() == Some("ply") || filled.find(|line| !line.starts_with('#')).is_some_and(begins)
 }
 
 /// Whether empty lines divide the rows of a block into surfaces: not those of lists of positions, and not where the

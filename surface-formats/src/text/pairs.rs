@@ -94,6 +94,12 @@ pub(super) fn split_unit(title: &str) -> (&str, &str) {
     }
 }
 
+/// A title and its unit of length in words, `heights in um`.
+pub(super) fn unit_in_words(title: &str) -> Option<(&str, &str)> {
+    let (title, unit) = title.trim().rsplit_once(" in ")?;
+    LengthUnit::parse(unit).map(|_| (title.trim(), unit.trim()))
+}
+
 /// A finite number, perhaps with a decimal comma, and the unit that follows it.
 pub(super) fn quantity(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();

@@ -12,8 +12,8 @@ use crate::unit::LengthUnit;
 
 /// Beginning of the first line.
 pub(super) const MAGIC: &str = "Wyko ASCII Data File";
-/// Name of the block of heights.
-const HEIGHTS: &str = "RAW_DATA";
+/// Names of the block of heights.
+const HEIGHTS: [&str; 4] = ["RAW_DATA", "RAW DATA", "SAMPLE_DATA", "OPD"];
 
 /// Numbers of the header.
 struct Header<'a> {
@@ -41,8 +41,9 @@ impl Header<'_> {
 
 /// Heights of the block `RAW_DATA`.
 pub(super) fn read(source: Source<'_>, lines: &[Line<'_>]) -> Result<Surface, Error> {
-    let start = lines.iter().position(|(_, line)| line.split('\t').next() == Some(HEIGHTS));
-    let start = start.ok_or_else(|| source.corrupt(format!("no block {HEIGHTS}")))?;
+    let is_start = |line: &str| line.split('\t').next().is_some_and(|name| HEIGHTS.contains(&name));
+    let start = lines.iter().position(|(_, line)| is_start(line));
+    let start = start.ok_or_else(|| source.corrupt(format!("no block {}", HEIGHTS[0])))?;
     let header = Header { source, lines: &lines[..start] };
     let (rows, columns) = (header.positive("X Size")?, header.positive("Y Size")?);
     let (values, nx, ny) = rows_of(source, &lines[start + 1..])?;

@@ -43,9 +43,13 @@ impl Folder {
         self.0.join(format!("point_{point:06}.json"))
     }
 
-    /// The result of a point, where there is one.
+    /// The result of a point, where there is a sound one.
     pub(super) fn kept(&self, point: usize) -> Option<Value> {
-        read(&self.file(point)).filter(|result| result["status"].is_string())
+        let is_sound = |result: &Value| {
+            let has_error = result["error"].is_string();
+            result["status"].is_string() && (has_error || result["values"]["status"].is_string())
+        };
+        read(&self.file(point)).filter(is_sound)
     }
 
     /// Keeps the result of a point.

@@ -80,7 +80,13 @@ impl Header {
             [None, None] => Ok((None, false)),
             // of a profile the one across does not matter
             [Some((dx, missing)), None] if counts[1] == 1 => Ok((Some([dx, dx]), missing)),
-            _ => Err(source.corrupt("the header gives the size along one axis only".to_owned())),
+            [along_x, _] => {
+                let key = if along_x.is_some() { "dy" } else { "dx" };
+                let what = format!(
+                    "the header gives the size along one axis only; a line \"{key} = 0.5 um\" gives the other"
+                );
+                Err(source.corrupt(what))
+            }
         }
     }
 
