@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import warnings
 from collections.abc import Iterable
 from typing import Any
@@ -22,6 +23,9 @@ __all__ = [
     "SurfaceError",
     "UnknownNameError",
 ]
+
+#: Most names that an error lists; of more it lists the nearest.
+_LISTED = 12
 
 
 class StribeckError(Exception):
@@ -114,5 +118,10 @@ def say(items: list[StribeckWarning], depth: int) -> None:
 
 
 def unknown(field: str, name: Any, known: Iterable[str]) -> UnknownNameError:
-    """The error of a ``name`` that is none of those ``known``."""
-    return UnknownNameError(f"{field} = {name!r}: must be one of {', '.join(known)}", field=field, value=name)
+    """The error of a ``name`` that is none of those ``known``, of many with the nearest alone."""
+    names = list(known)
+    words = f"must be one of {', '.join(names)}"
+    if len(names) > _LISTED and isinstance(name, str):
+        near = difflib.get_close_matches(name, names, 5, 0.5) or names[:5]
+        words = f"unknown; the nearest of {len(names)} names: {', '.join(near)}"
+    return UnknownNameError(f"{field} = {name!r}: {words}", field=field, value=name)

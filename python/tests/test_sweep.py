@@ -158,11 +158,12 @@ def test_points_of_an_executor_that_dies_are_solved_later(coarse: stribeck.Scene
 def test_points_of_a_joblib_worker_that_dies_are_lost_and_the_others_kept(coarse: stribeck.Scene, tmp_path: Path) -> None:
     joblib = pytest.importorskip("joblib")
     over = {"load.force": [10.0, 11.0, 20.0, 12.0]}
-    sweep = stribeck.sweep(coarse, over, measure=dies_at_one, executor=joblib.Parallel(1, backend="loky"), folder=tmp_path)
+    sweep = stribeck.sweep(coarse, over, measure=dies_at_one, executor=joblib.Parallel(2), folder=tmp_path)
     assert sweep["status"][2] == "lost" and "Terminated" in (sweep[2].error or "")
-    kept = sorted(path.name for path in tmp_path.glob("point_*.json"))
     # a point whose file was written before the death is there
-    assert [f"point_{k:06d}.json" for k, point in enumerate(sweep) if point["status"] == "converged"] == kept
+    kept = {path.name for path in tmp_path.glob("point_*.json")}
+    assert {f"point_{k:06d}.json" for k, point in enumerate(sweep) if point["status"] == "converged"} <= kept
+    assert set(sweep["status"]) <= {"converged", "lost"}
 
 
 def test_measure_that_exits_is_a_failed_point(coarse: stribeck.Scene) -> None:

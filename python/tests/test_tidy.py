@@ -158,3 +158,11 @@ def test_scenes_are_values_with_attributes(rough: stribeck.Scene) -> None:
 def test_pictures_are_at_hand_without_matplotlib() -> None:
     code = "import sys, stribeck; assert callable(stribeck.plot.map) and 'matplotlib' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_unknown_name_among_many_is_refused_with_the_nearest(rough: stribeck.Scene) -> None:
+    simulation = stribeck.Simulation(rough)
+    simulation.step("1 s")
+    with pytest.raises(stribeck.UnknownNameError, match="nearest of .* names: friction.coefficient") as caught:
+        simulation.history["frictoin.coefficient"]
+    assert len(str(caught.value)) < 300

@@ -17,7 +17,7 @@
 //! | `AliconaImaging` | al3d | heights in metres, undefined points |
 //! | date padded with zeros | Sensofar plu | heights in micrometres, undefined points |
 //! | `\x93NUMPY` | npy | an array of shape `(ny, nx)` without unit or spacing |
-//! | `CX`, `CZ` and `EOR` | prf, smd, ISO 5436-2 | a profile with units |
+//! | `CX`, `CZ` and `EOR` or ETX | prf, smd, ISO 5436-2 | a profile with units |
 //! | text | matrices and columns x, z or x, y, z | units and sizes where a header or titles give them |
 //!
 //! Points are undefined where the format has a marker and where a number is NaN or infinite. They are NaN in

@@ -92,7 +92,10 @@ pub(crate) fn read(source: Source<'_>, lines: &[Line<'_>]) -> Result<Surface, Er
         return Err(source.corrupt(format!("{found} heights, the axes say {nx} x {ny}")));
     }
     let heights = source.scaled(nx, values, -0.0, z.metres)?;
-    let surface = Surface { unit: Some(z.unit), ..Surface::new(nx, ny, heights) };
+    let mut surface = Surface { unit: Some(z.unit), ..Surface::new(nx, ny, heights) };
+    if z.count != nx * ny {
+        surface.warnings.push(format!("the axis CZ counts {} heights, the file holds {}", z.count, nx * ny));
+    }
     source.finish(surface.with_spacing(Some(spacing)))
 }
 

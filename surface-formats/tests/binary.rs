@@ -319,6 +319,8 @@ fn records_that_end_with_a_control_character_read() {
         let nanometres: Vec<i64> = profile.heights.iter().map(|z| (z * 1e9).round() as i64).collect();
         assert_eq!(nanometres, [-3000, 1000, 2000, 4000]);
     }
+    let short = read_bytes(&smd("CX I 3 mm 1.0 D 1.0", "", "1\r\n2\r\n3", " "), "a.smd").unwrap();
+    assert_eq!(short.warnings, ["the axis CZ counts 4 heights, the file holds 3"]);
     let map = smd("CX I 2 mm 1.0 D 5.0E-004", "CY I 2 um 2.0 D 3.0\r\n", "1\r\n2\r\n3\r\n4", " ");
     let map = read_bytes(&map, "a.smd").unwrap();
     assert_eq!((map.nx, map.ny), (2, 2));

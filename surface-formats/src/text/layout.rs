@@ -128,7 +128,7 @@ impl Content<'_> {
             return Ok(());
         }
         let marks = self.table.values.split_off(count);
-        if let Some(mark) = marks.iter().find(|mark| **mark != 0.0 && **mark != 1.0) {
+        if let Some(mark) = marks.iter().find(|mark| ![0.0, 1.0].contains(*mark)) {
             let what = format!("{mark} in the matrix of voidpixels, which holds zeros and ones");
             return Err(self.source.corrupt(what));
         }
