@@ -165,7 +165,7 @@ fn one_true_poll_ends_a_solve_wherever_it_comes() {
     let counted = MixedLubricationSim::builder(scene())
         .interrupt(move || count.fetch_add(1, Ordering::Relaxed) == u32::MAX)
         .solve();
-    assert!(counted.unwrap().converged());
+    assert_eq!(counted.unwrap().report.status, Status::Converged);
     let all = polls.load(Ordering::Relaxed);
     for at in (0..8).map(|k| k * (all - 1) / 7) {
         let count = AtomicU32::new(0);
