@@ -189,7 +189,7 @@ fn units_that_contradict_each_other_are_refused() {
         "# x-length = 2\n# y-length = 2\n# z-unit = um\n# Bit2nm = 2\n1 2\n3 4\n",
         "bit2nm = 2 contradicts",
     );
-    refused("unit: px\n1 2\n3 4\n", "unit: \"mil\" is no unit of length");
+    refused("unit: px\n1 2\n3 4\n", "unit: \"px\" is no unit of length");
     // positions take the unit of all
     let profile = read("# unit: um\nx,z (nm)\n0,1\n1,2\n2,4\n");
     assert_eq!((profile.spacing.unwrap()[0], profile.heights[1]), (1e-6, 2e-9));
