@@ -181,6 +181,10 @@ pub struct SolveReport {
     pub work: Work,
     /// The strategy that led to the state; `None` for solvers with a single one.
     pub strategy: Option<Strategy>,
+    /// Smallest and largest load ratio within the accuracy of [`AsperityInlets`](crate::reynolds::AsperityInlets); `None` for
+    /// other solvers.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub load_ratio_range: Option<[f64; 2]>,
     /// Residuals of each start and after each outer iteration, in order. Intermediate values may belong to
     /// modified equations: thicker contact films, Reynolds' condition, or pseudo-time steps. For a solve from
     /// a single start the last residuals are those of the state. Empty for solvers without a history, such as
@@ -199,6 +203,7 @@ impl SolveReport {
             energy_error: None,
             work: Work::default(),
             strategy: None,
+            load_ratio_range: None,
             residual_history: Vec::new(),
         }
     }

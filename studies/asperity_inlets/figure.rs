@@ -55,8 +55,10 @@ pub(crate) fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
         .bold_line_style(BLACK.mix(INK))
         .draw()?;
     for (k, (method, cells)) in METHODS.into_iter().enumerate().skip(1) {
-        let of: Vec<&Row> =
-            rows.iter().filter(|row| !row.surface.has_lay() && row.errors(k).is_some()).collect();
+        let of: Vec<&Row> = rows
+            .iter()
+            .filter(|row| !row.surface.has_lay() && !row.is_by_lambda && row.errors(k).is_some())
+            .collect();
         if of.is_empty() {
             continue;
         }

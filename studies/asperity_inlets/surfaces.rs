@@ -23,30 +23,33 @@ pub(crate) struct Surface {
     rq: f64,
     spectrum: Spectrum,
     seed: u64,
+    /// Whether it has contacts of given lambdas.
+    pub(crate) has_lambdas: bool,
 }
 
-pub(crate) const SURFACES: [Surface; 8] = [
-    Surface { name: "Gaussian, 130 nm", rq: 130e-9, spectrum: Spectrum::Gaussian([10e-6; 2]), seed: 1 },
-    Surface { name: "self-affine, H = 0.8", rq: 130e-9, spectrum: Spectrum::SelfAffine(0.8), seed: 2 },
-    Surface { name: "self-affine, H = 0.4", rq: 60e-9, spectrum: Spectrum::SelfAffine(0.4), seed: 3 },
-    Surface { name: "Gaussian, 200 nm", rq: 200e-9, spectrum: Spectrum::Gaussian([14e-6; 2]), seed: 4 },
-    Surface { name: "Gaussian, 80 nm", rq: 80e-9, spectrum: Spectrum::Gaussian([12e-6; 2]), seed: 5 },
-    Surface { name: "Gaussian, 30 nm", rq: 30e-9, spectrum: Spectrum::Gaussian([10e-6; 2]), seed: 6 },
-    Surface {
-        name: "lay along the flow, 3:1",
-        rq: 130e-9,
-        spectrum: Spectrum::Gaussian([24e-6, 8e-6]),
-        seed: 8,
-    },
-    Surface {
-        name: "lay across the flow, 1:3",
-        rq: 130e-9,
-        spectrum: Spectrum::Gaussian([8e-6, 24e-6]),
-        seed: 9,
-    },
+pub(crate) const SURFACES: [Surface; 11] = [
+    Surface::new("Gaussian, 130 nm", 130e-9, Spectrum::Gaussian([10e-6, 10e-6]), 1).with_lambdas(),
+    Surface::new("self-affine, H = 0.8", 130e-9, Spectrum::SelfAffine(0.8), 2).with_lambdas(),
+    Surface::new("self-affine, H = 0.4", 60e-9, Spectrum::SelfAffine(0.4), 3),
+    Surface::new("Gaussian, 200 nm", 200e-9, Spectrum::Gaussian([14e-6, 14e-6]), 4),
+    Surface::new("Gaussian, 80 nm", 80e-9, Spectrum::Gaussian([12e-6, 12e-6]), 5),
+    Surface::new("Gaussian, 30 nm", 30e-9, Spectrum::Gaussian([10e-6, 10e-6]), 6),
+    Surface::new("Gaussian, 130 nm, seed 11", 130e-9, Spectrum::Gaussian([10e-6, 10e-6]), 11),
+    Surface::new("Gaussian, 80 nm, seed 12", 80e-9, Spectrum::Gaussian([12e-6, 12e-6]), 12),
+    Surface::new("self-affine, H = 0.8, seed 13", 130e-9, Spectrum::SelfAffine(0.8), 13),
+    Surface::new("lay along the flow, 3:1", 130e-9, Spectrum::Gaussian([24e-6, 8e-6]), 8),
+    Surface::new("lay across the flow, 1:3", 130e-9, Spectrum::Gaussian([8e-6, 24e-6]), 9),
 ];
 
 impl Surface {
+    const fn new(name: &'static str, rq: f64, spectrum: Spectrum, seed: u64) -> Self {
+        Self { name, rq, spectrum, seed, has_lambdas: false }
+    }
+
+    const fn with_lambdas(self) -> Self {
+        Self { has_lambdas: true, ..self }
+    }
+
     pub(crate) fn has_lay(&self) -> bool {
         matches!(self.spectrum, Spectrum::Gaussian([along, across]) if (along / across - 1.0).abs() > 0.1)
     }

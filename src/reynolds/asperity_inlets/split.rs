@@ -1,5 +1,7 @@
 //! Fluid and solid share of the pressure of a dry contact, and its films.
 
+use std::ops::Range;
+
 use super::Field;
 use super::compression::EdgePressures;
 use super::flank::rise_in_inlet;
@@ -30,6 +32,30 @@ pub(super) struct Split {
     pub(super) film: Vec<f64>,
     /// Whether solids carry a part.
     pub(super) solid: Vec<bool>,
+    /// The asperities.
+    runs: Vec<Run>,
+}
+
+/// Nodes under pressure along x.
+#[derive(Debug, Clone)]
+struct Run {
+    nodes: Range<usize>,
+    /// Largest pressure \[Pa\].
+    peak: f64,
+    /// Rise of the reduced pressure in its inlet without density \[Pa\].
+    rise: f64,
+}
+
+impl Run {
+    /// Fluid pressure at the front edge \[Pa\] at `factor` times the rise; the peak where the run floats.
+    fn edge(&self, edges: &EdgePressures, factor: f64) -> f64 {
+        // It floats where the inlet generates its whole pressure.
+        if factor * self.rise >= edges.needed_rise(self.peak) {
+            self.peak
+        } else {
+            edges.pressure(factor * self.rise).min(self.peak)
+        }
+    }
 }
 
 impl Split {
@@ -39,6 +65,7 @@ impl Split {
         self.fluid.clear();
         self.film.clear();
         self.solid.clear();
+        self.runs.clear();
         self.fluid.resize(n, 0.0);
         self.film.resize(n, 0.0);
         self.solid.resize(n, false);
@@ -53,25 +80,38 @@ impl Split {
                 if i > front {
                     // Rise of the reduced pressure in its inlet.
                     let rise = inlets.entrainment * rise_in_inlet(field, j, front, inlets.contact_film);
-                    self.run(j * nx + front..j * nx + i, field.pressure, rise, inlets);
+                    let nodes = j * nx + front..j * nx + i;
+                    let peak = nodes.clone().map(|k| field.pressure[k]).fold(0.0, f64::max);
+                    let run = Run { nodes, peak, rise };
+                    self.share(&run, field.pressure, inlets);
+                    self.runs.push(run);
                 }
                 i += 1;
             }
         }
     }
 
-    /// Splits one run of nodes under pressure along x. The flow of the inlet passes the run unchanged.
-    fn run(&mut self, run: std::ops::Range<usize>, pressure: &[f64], rise: f64, inlets: &Inlets<'_>) {
-        let contact_film = inlets.contact_film;
-        // It floats where the inlet generates its whole pressure.
-        let peak = run.clone().map(|k| pressure[k]).fold(0.0, f64::max);
-        let needed = inlets.edges.needed_rise(peak);
-        let floats = rise >= needed;
-        let edge = if floats { peak } else { inlets.edges.pressure(rise).min(peak) };
-        let film = if floats { contact_film * (rise / needed).powf(LIFT) } else { contact_film };
+    /// Share of the sum of `pressure` that solids carry at `factor` times the rises of the last split.
+    pub(super) fn solid_share(&self, pressure: &[f64], edges: &EdgePressures, factor: f64) -> f64 {
+        let (mut solid, mut whole) = (0.0, 0.0);
+        for run in &self.runs {
+            let edge = run.edge(edges, factor);
+            for p in &pressure[run.nodes.clone()] {
+                solid += (p - edge).max(0.0);
+                whole += p;
+            }
+        }
+        if whole > 0.0 { solid / whole } else { 0.0 }
+    }
+
+    /// Splits the pressure of one run. The flow of the inlet passes the run unchanged.
+    fn share(&mut self, run: &Run, pressure: &[f64], inlets: &Inlets<'_>) {
+        let edge = run.edge(inlets.edges, 1.0);
+        let lift = (run.rise / inlets.edges.needed_rise(run.peak)).powf(LIFT).max(1.0);
+        let film = inlets.contact_film * lift;
         let carried = inlets.oil.at(edge).density;
         // The fluid carries the pressure of the edge, solids the rest.
-        for k in run {
+        for k in run.nodes.clone() {
             self.solid[k] = pressure[k] > edge;
             self.fluid[k] = pressure[k].min(edge);
             self.film[k] = film * carried / inlets.oil.at(self.fluid[k]).density;

@@ -8,7 +8,7 @@ use crate::sim::contact::film_temperature;
 use crate::sim::contact::warnings::Warning;
 use crate::sim::scene::{GridSpec, Scene, SolverKind};
 
-/// Root mean square slopes along and across the flow whose ratio, or its inverse, is above this have a lay.
+/// Roughness whose largest root mean square slope of any direction is above this multiple of the smallest has a lay.
 const LAY: f64 = 2.0;
 /// Slide-roll ratio above which the surfaces move in opposite directions.
 const OPPOSITE: f64 = 2.0;
@@ -81,6 +81,29 @@ pub(in crate::sim) fn height_and_slopes(grid: &Grid, heights: [&[f64]; 2]) -> [f
     squares.map(|sum| (sum / grid.len() as f64).sqrt())
 }
 
+/// Largest root mean square slope of any direction over the smallest, and the angle of the former to the flow \[rad\].
+fn lay(grid: &Grid, heights: [&[f64]; 2]) -> [f64; 2] {
+    let [_, along, across] = height_and_slopes(grid, heights);
+    // Correlation of both slopes, in the middle between four nodes.
+    let at = |i: usize, j: usize| heights.iter().map(|body| body[j * grid.nx() + i]).sum::<f64>();
+    let mut sums = [0.0; 3];
+    for j in 1..grid.ny() {
+        for i in 1..grid.nx() {
+            let [rise, turn] = [at(i, j) - at(i - 1, j - 1), at(i, j - 1) - at(i - 1, j)];
+            let [x, y] = [rise + turn, rise - turn];
+            sums[0] += x * x;
+            sums[1] += y * y;
+            sums[2] += x * y;
+        }
+    }
+    let scale = (sums[0] * sums[1]).sqrt();
+    let correlation = if scale > 0.0 { sums[2] / scale } else { 0.0 };
+    let (mean, half) = (0.5 * (along * along + across * across), 0.5 * (along * along - across * across));
+    let shear = correlation * along * across;
+    let deviation = half.hypot(shear);
+    [((mean + deviation) / (mean - deviation).max(0.0)).sqrt(), 0.5 * shear.atan2(half)]
+}
+
 /// Rejects combined heights with a lay, whose asperities starve each other or refill from the side.
 pub(in crate::sim) fn require_no_lay(
     scene: &Scene,
@@ -90,10 +113,8 @@ pub(in crate::sim) fn require_no_lay(
     if scene.solver.model.is_resolved() {
         return Ok(());
     }
-    let [_, along, across] = height_and_slopes(grid, heights);
-    let is_smooth = along.max(across) == 0.0;
-    let ratio = along / across;
-    if is_smooth || (1.0 / LAY..=LAY).contains(&ratio) {
+    let [ratio, angle] = lay(grid, heights);
+    if ratio.is_nan() || ratio <= LAY {
         return Ok(());
     }
     if grid.ny() == 1 {
@@ -102,9 +123,9 @@ pub(in crate::sim) fn require_no_lay(
         ));
     }
     Err(conflict(format!(
-        "the roughness has a lay: its root mean square slope along the flow is {ratio:.3} times that across it, and the \
-         law holds from {} to {LAY}; use the resolved model",
-        1.0 / LAY
+        "the roughness has a lay: its root mean square slope at {:.0} degrees to the flow is {ratio:.3} times that at right angles to it, \
+         and the law holds up to {LAY}; use the resolved model",
+        angle.abs().to_degrees()
     )))
 }
 
@@ -121,12 +142,17 @@ pub(in crate::sim) fn warnings(
     let [rq, along, _] = height_and_slopes(grid, heights);
     let lambda = smooth_film / rq;
     let thick = (lambda > LARGEST_LAMBDA || !lambda.is_finite()).then(|| {
+        let film = if lambda.is_finite() {
+            format!(
+                "the smooth film by formula is {lambda:.3} times the composite Rq, above {LARGEST_LAMBDA}"
+            )
+        } else {
+            "the bodies are smooth".to_owned()
+        };
         Warning::new(
             "solver.model",
-            lambda,
-            format!(
-                "the smooth film by formula is above {LARGEST_LAMBDA} times the composite Rq: the model leaves out the pressure of the fluid between the asperities"
-            ),
+            f64::NAN,
+            format!("{film}: the model leaves out the pressure of the fluid between the asperities"),
             "use the resolved model".to_owned(),
         )
     });
