@@ -27,6 +27,10 @@ const SMOOTH_TOUCHING: f64 = 0.01;
 /// Widest range of the load ratio by asperity inlets without a warning. Of many asperities it is at most 0.32, by the closed form
 /// of the load ratio.
 const WIDEST_LOAD_RATIO: f64 = 0.4;
+/// Largest smooth film over composite Rq up to which asperity inlets need no pressure in the valleys, and the load ratio from which
+/// on it matters.
+const LARGEST_MIXED_LAMBDA: f64 = 0.15;
+const LEAST_MIXED: f64 = 0.05;
 /// Largest estimated error without a warning.
 const LARGEST_ERROR: f64 = 0.1;
 
@@ -103,20 +107,29 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
     list
 }
 
-/// A load ratio by asperity inlets that their accuracy does not settle.
+/// A load ratio by asperity inlets that their accuracy does not settle, or of smooth films whose pressure in the valleys counts.
 fn sensitive_inlets(solution: &ContactSolution) -> Option<Warning> {
     let [least, most] = solution.report.load_ratio_range?;
-    (most - least > WIDEST_LOAD_RATIO).then(|| {
-        Warning::new(
-            "contact.load_ratio",
-            solution.contact.load_ratio,
-            format!(
-                "few asperities decide it: it is between {least:.2} and {most:.2} where the pressure that builds up in their inlets \
-                 is 20 % higher or lower, the accuracy of asperity inlets"
-            ),
-            "take this range, the mean over several seeds of the roughness, or the resolved model".to_owned(),
+    let lambda = solution.film.formula_lambda.unwrap_or(0.0);
+    let reason = if most - least > WIDEST_LOAD_RATIO {
+        format!(
+            "few asperities decide it: it is between {least:.2} and {most:.2} where the pressure that builds up in their inlets is \
+             20 % higher or lower, the accuracy of asperity inlets"
         )
-    })
+    } else if lambda > LARGEST_MIXED_LAMBDA && most > LEAST_MIXED {
+        format!(
+            "the smooth film by formula is {lambda:.2} times the composite Rq: asperity inlets leave out the pressure of the fluid in \
+             the valleys, and load ratios may be too large by up to 0.3"
+        )
+    } else {
+        return None;
+    };
+    Some(Warning::new(
+        "contact.load_ratio",
+        solution.contact.load_ratio,
+        reason,
+        "take the mean over several seeds of the roughness with a margin, or the resolved model".to_owned(),
+    ))
 }
 
 /// Cells too wide for the inlet, which determines the central film of a smooth contact.
