@@ -158,16 +158,9 @@ impl Held {
     }
 }
 
-/// Memory of a solve on the mesh that the scene asks for \[byte\]; `solver.accuracy` may halve its cells.
-pub(crate) fn first_memory(scene: &Scene) -> Result<f64, SimError> {
-    let mut first = scene.clone();
-    first.solver.accuracy = None;
-    first.memory()
-}
-
 /// Holds a line about the memory that a solve of the scene begins with, if that is much.
 pub(crate) fn announce_memory(scene: &Scene, held: &Held) -> Result<(), SimError> {
-    let bytes = first_memory(scene)?;
+    let bytes = scene.first_memory()?;
     if bytes >= MUCH_MEMORY {
         held.hold("needs", format!("about {:.1} GB of memory", 1e-9 * bytes));
     }

@@ -49,7 +49,7 @@ pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearTh
 pub use given_film::{
     Feed, FilmThickness, GivenFilm, GivenFilmSolution, MeanContact, MeanRoughness, SideEdges,
 };
-pub use journal::{Grooves, JournalBearing, JournalSolution};
+pub use journal::{ElasticBore, Grooves, Holes, JournalBearing, JournalSolution};
 pub use multigrid::Multigrid;
 pub use newton_krylov::{NewtonKrylov, NewtonSettings};
 pub(crate) use problem::outermost;

@@ -6,6 +6,11 @@ use crate::grid::Grid;
 /// Least share of the way between two nodes that is beyond the edge of a feed.
 const LEAST_SHARE: f64 = 0.02;
 
+/// Distance of `position` from the middle of a `range`, over half of its length.
+fn offset(range: [f64; 2], position: f64) -> f64 {
+    (position - 0.5 * (range[0] + range[1])) / (0.5 * (range[1] - range[0]))
+}
+
 /// Share of the way between two neighboring nodes that is outside of all `feeds`; one of both nodes may be in a feed.
 pub(super) fn free_share(feeds: &[Feed], first: (f64, f64), second: (f64, f64)) -> f64 {
     let of = |point| feeds.iter().find(|feed| feed.contains(point));
@@ -16,8 +21,8 @@ pub(super) fn free_share(feeds: &[Feed], first: (f64, f64), second: (f64, f64)) 
     }
 }
 
-/// A rectangle of a [`GivenFilm`](super::GivenFilm) with a prescribed pressure: a groove, pocket or hole that is deep beside the
-/// film. All nodes within it have its pressure; the flow to a node beside it starts at its edge.
+/// A rectangle or a circle of a [`GivenFilm`](super::GivenFilm) with a prescribed pressure: a groove, pocket or hole that is deep
+/// beside the film. All nodes within it have its pressure; the flow to a node beside it starts at its edge.
 ///
 /// # Examples
 ///
@@ -44,22 +49,48 @@ pub struct Feed {
     pub y: [f64; 2],
     /// Pressure \[Pa\].
     pub pressure: f64,
+    /// Whether it is the ellipse within these ranges.
+    pub is_round: bool,
 }
 
 impl Feed {
     /// A feed over the ranges `x` and `y` \[m\] at `pressure` \[Pa\].
     pub const fn new(x: [f64; 2], y: [f64; 2], pressure: f64) -> Self {
-        Self { x, y, pressure }
+        Self { x, y, pressure, is_round: false }
+    }
+
+    /// A round hole of a `diameter` about its `center` \[m\] at `pressure` \[Pa\].
+    pub const fn hole(center: [f64; 2], diameter: f64, pressure: f64) -> Self {
+        let ([x, y], radius) = (center, 0.5 * diameter);
+        Self { x: [x - radius, x + radius], y: [y - radius, y + radius], pressure, is_round: true }
     }
 
     /// Whether a point is inside.
-    pub(super) fn contains(&self, (x, y): (f64, f64)) -> bool {
-        (self.x[0]..=self.x[1]).contains(&x) && (self.y[0]..=self.y[1]).contains(&y)
+    pub(in crate::reynolds) fn contains(&self, (x, y): (f64, f64)) -> bool {
+        let [along, across] = [offset(self.x, x), offset(self.y, y)];
+        if self.is_round {
+            along * along + across * across <= 1.0
+        } else {
+            along.abs() <= 1.0 && across.abs() <= 1.0
+        }
+    }
+
+    /// The edges of the feed along one axis at the position `other` along the other axis.
+    fn edges(&self, range: [f64; 2], (other_range, other): ([f64; 2], f64)) -> [f64; 2] {
+        if !self.is_round {
+            return range;
+        }
+        let middle = 0.5 * (range[0] + range[1]);
+        let half = 0.5 * (range[1] - range[0]) * (1.0 - offset(other_range, other).powi(2)).max(0.0).sqrt();
+        [middle - half, middle + half]
     }
 
     /// Share of the way from the node `inside` to its neighbor `outside` that is beyond the edge.
     fn share_beyond(&self, inside: (f64, f64), outside: (f64, f64)) -> f64 {
-        let ranges = [(self.x, inside.0, outside.0), (self.y, inside.1, outside.1)];
+        let ranges = [
+            (self.edges(self.x, (self.y, inside.1)), inside.0, outside.0),
+            (self.edges(self.y, (self.x, inside.0)), inside.1, outside.1),
+        ];
         let shares =
             ranges.into_iter().filter(|(_, from, to)| (to - from).abs() > 0.0).map(|(range, from, to)| {
                 let edge = if to > from { range[1] } else { range[0] };

@@ -28,13 +28,13 @@ impl fmt::Display for ContactSolution {
             "Hertz      {}, {}; {moes}",
             pressure(hertz.pressure),
             if self.is_line() {
-                format!("{:.4e} N/m, half-width {:.2} um", hertz.force, hertz.half_width_x * 1e6)
+                format!("{}, half-width {}", scaled(hertz.force, "N/m", &THOUSANDS), length(hertz.half_width_x))
             } else {
                 format!(
-                    "{:.4} N, {:.2} x {:.2} um",
-                    hertz.force,
-                    hertz.half_width_x * 1e6,
-                    hertz.half_width_y * 1e6
+                    "{}, {} x {}",
+                    scaled(hertz.force, "N", &THOUSANDS),
+                    length(hertz.half_width_x),
+                    length(hertz.half_width_y)
                 )
             }
         )?;
@@ -42,12 +42,11 @@ impl fmt::Display for ContactSolution {
         self.write_roughness(f)?;
         writeln!(
             f,
-            "friction   {:.4}: {:.4} of solid contact, {:.4} of the fluid; power loss {:.4} W{}",
-            self.friction.coefficient,
-            self.friction.boundary,
-            self.friction.fluid,
-            self.friction.power_loss,
-            if self.is_line() { "/m" } else { "" }
+            "friction   {}: {} of solid contact, {} of the fluid; power loss {}",
+            coefficient(self.friction.coefficient),
+            coefficient(self.friction.boundary),
+            coefficient(self.friction.fluid),
+            scaled(self.friction.power_loss, if self.is_line() { "W/m" } else { "W" }, &THOUSANDS)
         )?;
         self.write_flow(f)?;
         writeln!(f, "approach   {}", length(self.state.approach))?;
@@ -58,9 +57,37 @@ impl fmt::Display for ContactSolution {
     }
 }
 
-/// A length in nm or um by its size.
+/// Factors of units and their prefixes, from small to large: of forces and powers.
+const THOUSANDS: [(f64, &str); 5] = [(1e-6, "u"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M")];
+
+/// A `value` in the largest of the units `factor prefix unit` that it reaches, with five digits.
+fn scaled(value: f64, unit: &str, units: &[(f64, &str)]) -> String {
+    let size = value.abs();
+    let usual = (1.0, "");
+    let (factor, prefix) = if size > 0.0 && size.is_finite() {
+        let reached = units.iter().rev().find(|(factor, _)| size >= 0.99999 * factor);
+        reached.or(units.first()).copied().unwrap_or(usual)
+    } else {
+        usual
+    };
+    let number = value / factor;
+    let digits = if number.abs() >= 1.0 { number.abs().log10() as usize } else { 0 };
+    format!("{number:.*} {prefix}{unit}", 4_usize.saturating_sub(digits))
+}
+
+/// A length in nm, um or mm by its size.
 fn length(value: f64) -> String {
-    if value.abs() < 10e-6 { format!("{:.3} nm", value * 1e9) } else { format!("{:.3} um", value * 1e6) }
+    match value.abs() {
+        size if size < 10e-6 => format!("{:.3} nm", value * 1e9),
+        size if size < 10e-3 => format!("{:.3} um", value * 1e6),
+        _ => format!("{:.4} mm", value * 1e3),
+    }
+}
+
+/// A friction coefficient, by powers of ten below a thousandth.
+fn coefficient(value: f64) -> String {
+    let rounded = value.abs() < 1e-9;
+    if value.abs() >= 1e-3 || rounded { format!("{value:.4}") } else { format!("{value:.2e}") }
 }
 
 /// A pressure in GPa, below a tenth of one in MPa.
@@ -85,8 +112,10 @@ impl ContactSolution {
                 length(film.central),
                 length(film.minimum),
                 length(film.mean_central),
-                film.formula_ratio
-                    .map_or_else(String::new, |ratio| format!("; central over formula {ratio:.3}"))
+                film.formula_ratio.map_or_else(String::new, |ratio| {
+                    let which = if self.roughness.composite_rq > 0.0 { "mean" } else { "central" };
+                    format!("; {which} over formula {ratio:.3}")
+                })
             )?;
         }
         writeln!(
@@ -134,9 +163,9 @@ impl ContactSolution {
                 if self.model.is_some() { "not solved with model asperity_inlets" } else { "none: dry" };
             return writeln!(f, "flow       {reason}");
         };
-        let unit = if self.is_line() { "m^2/s" } else { "m^3/s" };
-        let (inflow, outflow, imbalance) = (flow.inflow, flow.outflow, flow.imbalance);
-        writeln!(f, "flow       in {inflow:.4e}, out {outflow:.4e} {unit}, imbalance {imbalance:.1e}")
+        let (factor, unit) = if self.is_line() { (1e6, "mm^2/s") } else { (1e9, "mm^3/s") };
+        let [inflow, outflow] = [flow.inflow, flow.outflow].map(|flow| scaled(factor * flow, unit, &[(1.0, "")]));
+        writeln!(f, "flow       in {inflow}, out {outflow}, imbalance {:.1e}", flow.imbalance)
     }
 
     /// Estimated errors of the mesh, relative ones in per cent.

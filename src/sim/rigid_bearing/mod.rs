@@ -1,7 +1,10 @@
 //! Rigid bearings of scene files.
 
 mod heat;
+mod numbers;
 mod relief;
+
+pub use numbers::BearingNumbers;
 
 use std::path::Path;
 
@@ -10,13 +13,14 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::{
-    FilmThickness, GivenFilm, GivenFilmSolution, Grooves, JournalBearing, JournalSolution, MeanRoughness,
+    ElasticBore, Feed, FilmThickness, GivenFilm, GivenFilmSolution, Grooves, Holes, JournalBearing,
+    JournalSolution, MeanRoughness,
 };
 use crate::sim::contact::oil;
-use crate::sim::contact::warnings::{Warning, given_film_warnings};
+use crate::sim::contact::warnings::{Warning, bearing_warnings, given_film_warnings};
 use crate::sim::error::SimError;
 use crate::sim::scene::{
-    BearingFile, BearingSpec, GrooveSpec, HeatBalance, JournalPosition, LubricantSpec, PadRelief,
+    BearingFile, BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, LubricantSpec, PadRelief,
     RoughnessSpec, read_tables,
 };
 use crate::text_file;
@@ -53,65 +57,14 @@ pub struct RigidBearing {
     pub relief: Option<PadRelief>,
     /// Grooves of a journal.
     pub grooves: Option<GrooveSpec>,
+    /// Holes that feed the film.
+    pub holes: Option<HoleSpec>,
+    /// Deflection of journal and bush.
+    pub bore: Option<ElasticBore>,
     /// Roughness of both surfaces in the mean; smooth surfaces without it.
     pub roughness: Option<RoughnessSpec>,
     /// Cells along and across the motion.
     pub cells: [usize; 2],
-}
-
-/// Numbers of a solved bearing. A wide pad has forces, flows and power per metre of width.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-#[non_exhaustive]
-pub struct BearingNumbers {
-    /// Load \[N\]: of a journal the magnitude of the force of film and contact.
-    pub load: f64,
-    /// Components of that force along the line of centers, towards the widest gap, and across \[N\].
-    pub force: Option<[f64; 2]>,
-    /// Attitude angle between load and line of centers \[rad\].
-    pub attitude: Option<f64>,
-    /// Distance of the axes over the clearance.
-    pub eccentricity: Option<f64>,
-    /// Sommerfeld number.
-    pub sommerfeld: Option<f64>,
-    /// Least film \[m\].
-    pub least_film: f64,
-    /// Largest pressure \[Pa\].
-    pub pressure_max: f64,
-    /// Friction force on the moving surface, against its motion \[N\].
-    pub friction_moving: f64,
-    /// Friction force on the surface at rest, along the motion \[N\].
-    pub friction_resting: f64,
-    /// Friction on the moving surface over the load.
-    pub friction_coefficient: f64,
-    /// Shear force on either surface by cavitated fluid \[N\].
-    pub cavitated_shear: f64,
-    /// Share of the load that solid contact of rough surfaces carries.
-    pub contact_share: Option<f64>,
-    /// Area of contact \[m^2\].
-    pub contact_area: Option<f64>,
-    /// Part of the friction by solid contact \[N\].
-    pub contact_friction: Option<f64>,
-    /// Least film over the root mean square height of both surfaces together.
-    pub film_over_rq: Option<f64>,
-    /// Flow out through both sides \[m^3/s\].
-    pub side_flow: f64,
-    /// Flow out through inlet, outlet and both sides of a pad; through both ends of the film of a journal and both sides
-    /// \[m^3/s\]. Negative where oil enters.
-    pub edge_flows: [f64; 4],
-    /// Flow from the grooves of a journal \[m^3/s\].
-    pub groove_flow: Option<f64>,
-    /// Power of the moving surface against friction \[W\].
-    pub power_loss: f64,
-    /// Viscosity at ambient pressure \[Pa s\].
-    pub eta0: f64,
-    /// Temperature of the oil \[K\]: with a heat balance the mean of supply and outlet.
-    pub temperature: f64,
-    /// Temperature of the supplied oil \[K\].
-    pub supply_temperature: Option<f64>,
-    /// Temperature of the oil at the outlet \[K\].
-    pub outlet_temperature: Option<f64>,
-    /// Power that the oil carries \[W\].
-    pub carried_heat: Option<f64>,
 }
 
 /// A solved bearing.
@@ -144,6 +97,8 @@ impl RigidBearing {
             edge_pressures: table.edge_pressures().map_err(refused)?,
             relief: table.relief().map_err(refused)?,
             grooves: table.grooves().map_err(refused)?,
+            holes: table.holes().map_err(refused)?,
+            bore: table.bore().map_err(refused)?,
             roughness: table.roughness(),
             cells: table.cells(),
             lubricant: file.lubricant,
@@ -177,13 +132,16 @@ impl RigidBearing {
     /// A value out of range, a load that no eccentricity up to 0.99 carries, a heat balance without through-flow, a relief
     /// that does not fit its pad, an interruption.
     pub fn solve(&self, interrupted: impl Fn() -> bool) -> Result<BearingSolution, SimError> {
-        match &self.heat {
+        let mut solution = match &self.heat {
             None => {
                 InputError::require_positive("thermal.bulk_temperature", self.temperature)?;
-                self.solve_at(self.temperature, &interrupted)
+                self.solve_at(self.temperature, &interrupted)?
             }
-            Some(balance) => heat::solve(self, balance, &interrupted),
-        }
+            Some(balance) => heat::solve(self, balance, &interrupted)?,
+        };
+        let has_data_sheet = self.lubricant.oil.is_some();
+        solution.warnings.extend(bearing_warnings(&solution.numbers, has_data_sheet, self.relief.as_ref()));
+        Ok(solution)
     }
 
     /// Solves with the oil at `temperature` \[K\].
@@ -217,7 +175,9 @@ impl RigidBearing {
                 let journal = JournalBearing::new([radius, width, clearance], speed / radius, lubricant)
                     .with_cells(self.cells)
                     .with_roughness(self.mean_roughness()?)
-                    .with_grooves(grooves);
+                    .with_grooves(grooves)
+                    .with_holes(self.holes.as_ref().map(|spec| Holes::new(&spec.places, spec.diameter, spec.pressure)))
+                    .with_bore(self.bore);
                 let solved = match position {
                     JournalPosition::Eccentricity(eccentricity) => {
                         journal.solve_unless(eccentricity, interrupted)
@@ -287,6 +247,8 @@ impl RigidBearing {
             sommerfeld: Some(solved.sommerfeld),
             contact_share: self.roughness.is_some().then_some(solved.contact_share),
             groove_flow: self.grooves.is_some().then_some(solved.groove_flow),
+            hole_flow: self.holes.is_some().then_some(solved.hole_flow),
+            bore_widening: self.bore.is_some().then_some(solved.bore_widening),
             ..self.numbers(lubricant, solved.load, solved.least_film, &solved.film)
         };
         Ok(BearingSolution { numbers, film: solved.film, warnings })
@@ -307,8 +269,10 @@ impl RigidBearing {
         InputError::require_positive("given_film.outlet_film", thickness(length))?;
         let grid = Grid::from_edges(self.cells[0], self.cells[1], [0.0, length], [0.0, width])?;
         let film = relief::film(self.relief.as_ref(), grid, thickness)?;
+        let feeds = self.pad_feeds([length, width])?;
         let problem = GivenFilm::new(&film, lubricant, [speed, 0.0])
             .with_edge_pressures(self.edge_pressures)
+            .with_feeds(&feeds)
             .with_roughness(self.mean_roughness()?);
         let solved = problem.solve_unless(interrupted).map_err(in_table)?;
         let warnings = given_film_warnings(&problem, &solved);
@@ -322,6 +286,34 @@ impl RigidBearing {
             film: solved,
             warnings,
         })
+    }
+
+    /// Holes of a pad of `[length, width]`.
+    fn pad_feeds(&self, [length, width]: [f64; 2]) -> Result<Vec<Feed>, InputError> {
+        let Some(holes) = &self.holes else { return Ok(Vec::new()) };
+        let field = |key: &str| format!("given_film.{key}");
+        if self.cells[1] == 1 {
+            let reason = "holes need the `width` of the pad".to_owned();
+            return Err(InputError::Conflict { field: field("hole_positions"), reason });
+        }
+        InputError::require(
+            holes.diameter > 0.0 && holes.diameter < width,
+            &field("hole_diameter"),
+            holes.diameter,
+            "above 0 and below the width of the pad",
+        )?;
+        InputError::require_non_negative(&field("supply_pressure"), holes.pressure)?;
+        let radius = 0.5 * holes.diameter;
+        holes
+            .places
+            .iter()
+            .map(|&place| {
+                let requirement = "at least a radius of the hole from inlet and outlet";
+                let fits = place > radius && place < length - radius;
+                InputError::require(fits, &field("hole_positions"), place, requirement)?;
+                Ok(Feed::hole([place, 0.5 * width], holes.diameter, holes.pressure))
+            })
+            .collect()
     }
 
     /// Numbers that all bearings have.
@@ -353,6 +345,8 @@ impl RigidBearing {
             side_flow: film.side_flow,
             edge_flows: film.edge_flows,
             groove_flow: None,
+            hole_flow: self.holes.is_some().then(|| film.feed_flows.iter().sum()),
+            bore_widening: None,
             power_loss: film.power_loss,
             eta0: lubricant.viscosity().viscosity(0.0),
             temperature: self.temperature,

@@ -109,7 +109,8 @@ impl Dimples {
 fn heights(path: &Path, spacing: Option<f64>, grid: Grid) -> Result<Vec<f64>, SimError> {
     let refused =
         |reason: String| SimError::from(conflict("heights", format!("{}: {reason}", path.display())));
-    let mut heights = surface::read(path).map_err(|error| refused(error.to_string()))?;
+    // Errors of the reader begin with the path.
+    let mut heights = surface::read(path).map_err(|error| conflict("heights", error.to_string()))?;
     match (spacing, heights.dx()) {
         (Some(_), Some(dx)) => {
             return Err(refused(format!("the file has a spacing of {dx:e} m; leave out `spacing`")));

@@ -31,7 +31,8 @@ struct Row {
     cells: Vec<(String, String)>,
 }
 
-/// Explains a key of scene files (`lubricant.alpha`, `alpha`) or a warning by its text, in the words of the book.
+/// Explains a key of scene files (`lubricant.alpha`, `alpha`), a table or a warning by its text, in the words of the book. An empty text
+/// lists all tables with their keys.
 ///
 /// ```
 /// use stribeck::sim::scene::explain;
@@ -48,6 +49,9 @@ struct Row {
 pub fn explain(text: &str) -> Result<String, InputError> {
     let rows: Vec<Row> = PAGES.iter().flat_map(|(page, content)| rows(page, content)).collect();
     let asked = text.trim().trim_matches(['[', ']', '`']);
+    if asked.is_empty() {
+        return Ok(all_tables(&rows));
+    }
     let found: Vec<String> = rows.iter().filter_map(|row| row.explained(asked)).collect();
     if !found.is_empty() {
         return Ok(found.join("\n\n"));
@@ -73,7 +77,8 @@ impl Row {
     /// The explanation, if `asked` is a key of this row, alone or with its table, or its table.
     fn explained(&self, asked: &str) -> Option<String> {
         let (table, key) = asked.rsplit_once('.').map_or(("", asked), |(table, key)| (table, key));
-        let is_table = self.tables.iter().any(|own| own == asked);
+        let within = |own: &str| own.strip_prefix(asked).is_some_and(|rest| rest.starts_with('.'));
+        let is_table = self.tables.iter().any(|own| own == asked || within(own));
         let is_key = self.keys.iter().any(|own| own == key)
             && (table.is_empty() || self.tables.iter().any(|own| own == table));
         if !is_table && !is_key {
@@ -85,6 +90,21 @@ impl Row {
         let page = std::iter::once(format!("  page: {}", self.page));
         Some(std::iter::once(heading).chain(lines).chain(page).collect::<Vec<_>>().join("\n"))
     }
+}
+
+/// All tables with their keys, a table a line.
+fn all_tables(rows: &[Row]) -> String {
+    let mut lines: Vec<(String, Vec<&str>)> = Vec::new();
+    for row in rows {
+        let heading = format!("[{}]", row.tables.join("], ["));
+        let keys = row.keys.iter().map(String::as_str);
+        match lines.iter_mut().find(|(known, _)| *known == heading) {
+            Some((_, list)) => list.extend(keys),
+            None => lines.push((heading, keys.collect())),
+        }
+    }
+    let lines = lines.iter().map(|(heading, keys)| format!("{heading} {}", keys.join(", ")));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// All rows of keys of a page.
@@ -182,6 +202,17 @@ mod tests {
             .filter(|path| !path.starts_with("schedule.") && explain(path).is_err())
             .collect();
         assert!(unknown.is_empty(), "{unknown:?}");
+    }
+
+    #[test]
+    fn tables_are_listed_and_explained_with_those_within() {
+        let all = explain("").unwrap();
+        for table in ["[form] kind", "[given_film] kind", "[materials.ball], [materials.disc] material"] {
+            assert!(all.contains(table), "{table}: {all}");
+        }
+        let materials = explain("materials").unwrap();
+        assert!(materials.contains("[materials.ball], [materials.disc] hardness"), "{materials}");
+        assert!(explain("elastic").unwrap().contains("[elastic.layer] thickness"));
     }
 
     #[test]

@@ -74,9 +74,15 @@ pub(in crate::sim) fn read_tables<T: DeserializeOwned>(
             Ok(table) if message.contains("missing key") => missing(&table),
             _ => Vec::new(),
         };
-        scene(if absent.len() > 1 { format!("missing keys: `{}`", absent.join("`, `")) } else { message })
+        let chosen = if absent.iter().any(|key| key == "grid") { CHOSEN_GRID } else { "" };
+        let message =
+            if absent.len() > 1 { format!("missing keys: `{}`", absent.join("`, `")) } else { message };
+        scene(message + chosen)
     })
 }
+
+/// Remedy for a scene without `[grid]`.
+const CHOSEN_GRID: &str = "; accuracy = \"2 %\" in [grid] chooses box and cells";
 
 /// Terms of the parser and their replacements for readers of scene files.
 const WORDS: [(&str, &str); 24] = [

@@ -1,11 +1,8 @@
-//! Scenes of rigid bearings: `[given_film]` with `[lubricant]` and `[thermal]`.
+//! Rigid bearings of scenes: shape, motion, relief, feeds, heat balance.
 
 use std::path::PathBuf;
 
 use serde::Deserialize;
-
-use super::tables::{keyed, required};
-use super::{LubricantSpec, ThermalSpec};
 
 /// Shape and motion of a rigid bearing.
 ///
@@ -124,6 +121,23 @@ pub struct GrooveSpec {
     pub pressure: f64,
 }
 
+/// Round holes that feed the film of a journal ([`Holes`](crate::reynolds::Holes)) or of a pad, in the middle of its width.
+///
+/// ```
+/// use stribeck::sim::scene::HoleSpec;
+/// let opposite = HoleSpec { places: vec![std::f64::consts::PI], diameter: 5e-3, pressure: 2e5 };
+/// assert_eq!(opposite.places.len(), 1);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct HoleSpec {
+    /// Angles of their middles from the load \[rad\], in the direction of rotation; of a pad distances from its inlet \[m\].
+    pub places: Vec<f64>,
+    /// Diameter \[m\].
+    pub diameter: f64,
+    /// Pressure above ambient \[Pa\].
+    pub pressure: f64,
+}
+
 /// Roughness of a bearing in the mean: [`MeanRoughness`](crate::reynolds::MeanRoughness). Its table is `[given_film.roughness]`.
 ///
 /// ```
@@ -181,224 +195,5 @@ impl HeatBalance {
     #[must_use]
     pub fn rise(&self, power_loss: f64, flow: f64) -> f64 {
         self.share * power_loss / (self.heat_capacity * flow)
-    }
-}
-
-/// A scene file of a rigid bearing.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(in crate::sim) struct BearingFile {
-    pub(in crate::sim) given_film: BearingTable,
-    pub(in crate::sim) lubricant: LubricantSpec,
-    #[serde(default)]
-    pub(in crate::sim) thermal: ThermalSpec,
-}
-
-keyed! {
-    /// `[given_film]` as written.
-    #[derive(Deserialize)]
-    pub(in crate::sim) struct BearingTable {
-        kind: BearingKind;
-        /// Diameter of a journal \[m\].
-        diameter: f64,
-        /// Width \[m\].
-        width: f64,
-        /// Radial clearance \[m\].
-        clearance: f64,
-        /// Eccentricity over the clearance.
-        eccentricity: f64,
-        /// Load on the journal \[N\].
-        load: f64,
-        /// Length of a pad \[m\].
-        length: f64,
-        /// Film at the inlet \[m\].
-        inlet_film: f64,
-        /// Film at the outlet \[m\].
-        outlet_film: f64,
-        /// Length of the part before the step \[m\].
-        step: f64,
-        /// Speed of the moving surface \[m/s\].
-        speed: f64,
-        /// Pressures at inlet, outlet and both sides of a pad \[Pa\].
-        edge_pressures: Vec<f64>,
-        /// Diameter of dimples \[m\].
-        dimple_diameter: f64,
-        /// Depth of dimples \[m\].
-        dimple_depth: f64,
-        /// Area share of dimples.
-        dimple_density: f64,
-        /// File of the heights of a pad.
-        heights: PathBuf,
-        /// Spacing of their points \[m\].
-        spacing: f64,
-        /// Angles of grooves from the load \[rad\].
-        groove_angles: Vec<f64>,
-        /// Width of grooves \[m\].
-        groove_width: f64,
-        /// Length of grooves along the axis \[m\].
-        groove_length: f64,
-        /// Pressure of grooves above ambient \[Pa\].
-        supply_pressure: f64,
-        /// Temperature of the supplied oil \[K\].
-        supply_temperature: f64,
-        /// Heat capacity of a volume of oil \[J/(m^3 K)\].
-        heat_capacity: f64,
-        /// Share of the power loss that the oil carries.
-        heat_share: f64,
-        /// Roughness of both surfaces.
-        roughness: RoughnessSpec,
-        /// Cells along the motion.
-        nx: usize,
-        /// Cells across it.
-        ny: usize,
-    }
-}
-
-/// Keys of pads beside those of their shape.
-const PAD_KEYS: [&str; 6] =
-    ["edge_pressures", "dimple_diameter", "dimple_depth", "dimple_density", "heights", "spacing"];
-/// Keys of every kind.
-const COMMON_KEYS: [&str; 1] = ["roughness"];
-/// Keys of the grooves of a journal.
-const GROOVE_KEYS: [&str; 4] = ["groove_angles", "groove_width", "groove_length", "supply_pressure"];
-/// Keys of the heat balance.
-const HEAT_KEYS: [&str; 3] = ["supply_temperature", "heat_capacity", "heat_share"];
-/// Heat capacity of a volume of mineral oil \[J/(m^3 K)\].
-const OIL_HEAT_CAPACITY: f64 = 1.7e6;
-
-/// Values of `kind` in `[given_film]`.
-#[derive(Deserialize, Clone, Copy)]
-#[serde(rename_all = "snake_case")]
-enum BearingKind {
-    Journal,
-    Pad,
-    Step,
-}
-
-impl BearingTable {
-    /// Cells along and across the motion.
-    pub(in crate::sim) fn cells(&self) -> [usize; 2] {
-        let row = !matches!(self.kind, BearingKind::Journal) && self.width.is_none();
-        [self.nx.unwrap_or(180), if row { 1 } else { self.ny.unwrap_or(40) }]
-    }
-
-    /// Pressures at inlet, outlet and both sides of a pad.
-    pub(in crate::sim) fn edge_pressures(&self) -> Result<[f64; 4], String> {
-        match self.edge_pressures.as_deref() {
-            None => Ok([0.0; 4]),
-            Some(given) => given.try_into().map_err(|_| {
-                format!(
-                    "`edge_pressures` has {} values, expected 4: inlet, outlet and both sides",
-                    given.len()
-                )
-            }),
-        }
-    }
-
-    /// Roughness of both surfaces.
-    pub(in crate::sim) fn roughness(&self) -> Option<RoughnessSpec> {
-        self.roughness
-    }
-
-    /// Relief of a pad.
-    pub(in crate::sim) fn relief(&self) -> Result<Option<PadRelief>, String> {
-        let dimples = [self.dimple_diameter, self.dimple_depth, self.dimple_density];
-        match (&self.heights, dimples) {
-            (None, [None, None, None]) if self.spacing.is_some() => {
-                Err("`spacing` is that of the points of `heights`, which is missing".to_owned())
-            }
-            (None, [None, None, None]) => Ok(None),
-            (Some(path), [None, None, None]) => {
-                Ok(Some(PadRelief::File { path: path.clone(), spacing: self.spacing }))
-            }
-            (Some(_), _) => Err("`heights` are all of the relief; leave out the dimples".to_owned()),
-            (None, [diameter, depth, density]) => Ok(Some(PadRelief::Dimples {
-                diameter: required("dimple_diameter", diameter)?,
-                depth: required("dimple_depth", depth)?,
-                density: required("dimple_density", density)?,
-            })),
-        }
-    }
-
-    /// Grooves of a journal.
-    pub(in crate::sim) fn grooves(&self) -> Result<Option<GrooveSpec>, String> {
-        let any = self.groove_angles.is_some()
-            || self.groove_width.is_some()
-            || self.groove_length.is_some()
-            || self.supply_pressure.is_some();
-        if !any {
-            return Ok(None);
-        }
-        Ok(Some(GrooveSpec {
-            angles: self.groove_angles.clone().ok_or("missing field `groove_angles`")?,
-            width: required("groove_width", self.groove_width)?,
-            length: self.groove_length,
-            pressure: self.supply_pressure.unwrap_or(0.0),
-        }))
-    }
-
-    /// The heat balance.
-    pub(in crate::sim) fn heat(&self) -> Result<Option<HeatBalance>, String> {
-        let Some(supply_temperature) = self.supply_temperature else {
-            return match (self.heat_capacity, self.heat_share) {
-                (None, None) => Ok(None),
-                _ => Err("missing field `supply_temperature` of the heat balance".to_owned()),
-            };
-        };
-        Ok(Some(HeatBalance {
-            supply_temperature,
-            heat_capacity: self.heat_capacity.unwrap_or(OIL_HEAT_CAPACITY),
-            share: self.heat_share.unwrap_or(1.0),
-        }))
-    }
-
-    /// The bearing; a key of another kind is an error.
-    pub(in crate::sim) fn spec(&self) -> Result<BearingSpec, String> {
-        let speed = required("speed", self.speed)?;
-        let pad = |known: &[&str]| {
-            let known: Vec<&str> =
-                known.iter().chain(&PAD_KEYS).chain(&HEAT_KEYS).chain(&COMMON_KEYS).copied().collect();
-            self.reject_unknown_fields("this kind of pad", &known)?;
-            let inlet_film = required("inlet_film", self.inlet_film)?;
-            let outlet_film = required("outlet_film", self.outlet_film)?;
-            Ok::<_, String>((required("length", self.length)?, inlet_film, outlet_film))
-        };
-        let width = self.width;
-        Ok(match self.kind {
-            BearingKind::Journal => {
-                let own = ["diameter", "width", "clearance", "eccentricity", "load", "speed", "nx", "ny"];
-                let known: Vec<&str> =
-                    own.iter().chain(&GROOVE_KEYS).chain(&HEAT_KEYS).chain(&COMMON_KEYS).copied().collect();
-                self.reject_unknown_fields("kind = \"journal\"", &known)?;
-                let position = match (self.eccentricity, self.load) {
-                    (Some(eccentricity), None) => JournalPosition::Eccentricity(eccentricity),
-                    (None, Some(load)) => JournalPosition::Load(load),
-                    (Some(_), Some(_)) => {
-                        return Err("`load` determines `eccentricity`; give only one".to_owned());
-                    }
-                    (None, None) => {
-                        return Err("missing field `load`, or `eccentricity` in place of it".to_owned());
-                    }
-                };
-                BearingSpec::Journal {
-                    diameter: required("diameter", self.diameter)?,
-                    width: required("width", width)?,
-                    clearance: required("clearance", self.clearance)?,
-                    speed,
-                    position,
-                }
-            }
-            BearingKind::Pad => {
-                let (length, inlet_film, outlet_film) =
-                    pad(&["length", "width", "inlet_film", "outlet_film", "speed", "nx", "ny"])?;
-                BearingSpec::Pad { length, width, inlet_film, outlet_film, speed }
-            }
-            BearingKind::Step => {
-                let (length, inlet_film, outlet_film) =
-                    pad(&["length", "width", "inlet_film", "outlet_film", "step", "speed", "nx", "ny"])?;
-                let step = required("step", self.step)?;
-                BearingSpec::Step { length, width, inlet_film, outlet_film, step, speed }
-            }
-        })
     }
 }

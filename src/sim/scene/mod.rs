@@ -17,6 +17,8 @@ mod explain;
 mod files;
 #[cfg(feature = "serde")]
 mod given_film;
+#[cfg(feature = "serde")]
+mod given_film_table;
 mod grid;
 pub(in crate::sim) mod hertz;
 #[cfg(feature = "serde")]
@@ -56,9 +58,9 @@ pub use explain::explain;
 #[cfg(feature = "serde")]
 pub(in crate::sim) use files::read_tables;
 #[cfg(feature = "serde")]
-pub(in crate::sim) use given_film::BearingFile;
+pub(in crate::sim) use given_film_table::BearingFile;
 #[cfg(feature = "serde")]
-pub use given_film::{BearingSpec, GrooveSpec, HeatBalance, JournalPosition, PadRelief, RoughnessSpec};
+pub use given_film::{BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadRelief, RoughnessSpec};
 pub use grid::GridSpec;
 pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};

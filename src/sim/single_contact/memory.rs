@@ -1,6 +1,6 @@
 //! Memory of a single contact, on its own mesh or those chosen for an accuracy.
 
-use super::accuracy::largest_mesh;
+use super::accuracy::{first_mesh, largest_mesh};
 use crate::sim::contact::memory::bytes;
 use crate::sim::error::SimError;
 use crate::sim::scene::Scene;
@@ -20,5 +20,22 @@ impl Scene {
     /// ```
     pub fn memory(&self) -> Result<f64, SimError> {
         Ok(largest_mesh(self)? as f64 * bytes(self.is_lubricated()) as f64)
+    }
+
+    /// Approximate memory with which a solve of the contact begins \[byte\]: `grid.accuracy` and `solver.accuracy` may refine the mesh of a
+    /// rough contact up to [`memory`](Self::memory).
+    ///
+    /// # Errors
+    /// As of [`memory`](Self::memory).
+    ///
+    /// ```
+    /// use stribeck::sim::Scene;
+    /// let mut scene = Scene::azam_2019(128);
+    /// scene.solver.accuracy = Some(0.02);
+    /// assert!(scene.first_memory()? < 0.1 * scene.memory()?);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn first_memory(&self) -> Result<f64, SimError> {
+        Ok(first_mesh(self)? as f64 * bytes(self.is_lubricated()) as f64)
     }
 }

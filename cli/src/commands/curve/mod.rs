@@ -160,7 +160,7 @@ fn announced(
     solves: usize,
 ) -> Result<Held, SimError> {
     let held = Held::default();
-    let [megabytes, most] = [output::first_memory(scene)?, scene.memory()?].map(|bytes| 1e-6 * bytes);
+    let [megabytes, most] = [scene.first_memory()?, scene.memory()?].map(|bytes| 1e-6 * bytes);
     let finer = if most > megabytes {
         format!(", at most {most:.0} MB where cells are halved")
     } else {

@@ -60,12 +60,16 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
     let BearingNumbers { friction_moving, friction_resting, .. } = numbers;
     lines.extend([
         format!("load       {:.4} N{per}", numbers.load),
-        format!("film       least {:.3} um", 1e6 * numbers.least_film),
+        format!("film       least {:.3} um{}", 1e6 * numbers.least_film, numbers.bore_widening.map_or_else(String::new, |widening| format!("; wider by up to {:.3} um where the bore deflects", 1e6 * widening))),
         format!("pressure   at most {:.4} MPa", 1e-6 * numbers.pressure_max),
         format!(
             "friction   {friction_moving:.4} N{per} on the moving surface, {friction_resting:.4} N{per} on the surface at rest; \
-             coefficient {:.5}",
-            numbers.friction_coefficient
+             coefficient {}",
+            if numbers.friction_coefficient.is_finite() {
+                format!("{:.5}", numbers.friction_coefficient)
+            } else {
+                "unknown without load".to_owned()
+            }
         ),
         format!("power      {:.4} W{per} lost by friction", numbers.power_loss),
     ]);
@@ -94,9 +98,11 @@ fn solids(numbers: &BearingNumbers, per: &str) -> Option<String> {
 /// Flows through the edges, and from grooves.
 fn flows(bearing: &RigidBearing, numbers: &BearingNumbers, per: &str) -> Vec<String> {
     let [start, end, left, right] = numbers.edge_flows.map(|flow| 1e6 * flow);
+    let holes = numbers.hole_flow.map(|flow| format!("holes      {:.4} ml/s", 1e6 * flow));
     if matches!(bearing.bearing, BearingSpec::Journal { .. }) {
         let mut lines = vec![format!("side flow  {:.4} ml/s: {left:.4} and {right:.4} ml/s", left + right)];
         lines.extend(numbers.groove_flow.map(|flow| format!("grooves    {:.4} ml/s", 1e6 * flow)));
+        lines.extend(holes);
         return lines;
     }
     let along =
@@ -106,7 +112,7 @@ fn flows(bearing: &RigidBearing, numbers: &BearingNumbers, per: &str) -> Vec<Str
     } else {
         String::new()
     };
-    vec![format!("{along}{sides}")]
+    std::iter::once(format!("{along}{sides}")).chain(holes).collect()
 }
 
 /// The heat balance.

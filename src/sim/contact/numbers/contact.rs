@@ -38,7 +38,7 @@ pub struct FilmNumbers {
     pub lambda: Option<f64>,
     /// `minimum` over the composite roughness; `None` for smooth surfaces and an unknown film.
     pub minimum_lambda: Option<f64>,
-    /// `central` over the central film by formula; `None` for a dry contact and an unknown film.
+    /// `central`, between rough bodies `mean_central`, over the central film by formula; `None` for a dry contact and an unknown film.
     pub formula_ratio: Option<f64>,
     /// Central film by formula (Hamrock and Dowson; Dowson and Toyoda for a line contact), with the stated
     /// pressure-viscosity coefficient, over the composite roughness; `None` for smooth surfaces and a dry contact.
@@ -84,7 +84,9 @@ impl FilmNumbers {
             minimum_gap: metrics::minimum_gap(&state.film)?,
             lambda: roughness.lambda(mean_central),
             minimum_lambda: roughness.lambda(minimum),
-            formula_ratio: formula.map(|formula| central / formula),
+            // The film at one node of rough bodies is that of a peak or a valley.
+            formula_ratio: formula
+                .map(|formula| if roughness.composite_rq > 0.0 { mean_central } else { central } / formula),
             formula_lambda: model.lubricant.as_ref().and_then(|_| roughness.lambda(model.stated_film)),
             fluid_fraction: fluid_fraction(model, state),
         })

@@ -1,4 +1,4 @@
-//! Warnings about neglected physics: heating of the film, shear thinning, flow around ridges, subsurface yield.
+//! Warnings about neglected physics: heating of the film, shear thinning, flow around ridges, yield of asperities and below the surface.
 
 use super::{Warning, short};
 use crate::lubricant::ViscosityLaw;
@@ -16,6 +16,13 @@ const LARGEST_NEWTONIAN: f64 = 50e6;
 const LARGEST_TRACTION: f64 = 0.15;
 /// Load ratio of a profile under a line contact without a warning.
 const LARGEST_RIDGE_LOAD: f64 = 0.01;
+/// Film over the root mean square height of such a profile, below which surfaces that are rough along both axes touch.
+const LEAST_RIDGE_LAMBDA: f64 = 3.0;
+/// Largest pressure over the equivalent modulus of elastic bodies: 8 GPa of steel on steel. Hardnesses of hardened steels, ceramics and
+/// glasses are .03 to .05 of it.
+const LARGEST_ELASTIC: f64 = 0.035;
+/// Equivalent modulus \[Pa\] below which bodies are elastomers, which do not yield.
+const ELASTOMER: f64 = 1e9;
 
 /// A contact at one operating point, solved or expected.
 pub(in crate::sim) struct OperatingPoint<'a> {
@@ -25,8 +32,10 @@ pub(in crate::sim) struct OperatingPoint<'a> {
     pub(in crate::sim) conditions: Conditions,
     /// Viscosity at the bulk temperature; `None` for a dry contact.
     pub(in crate::sim) viscosity: Option<&'a dyn ViscosityLaw>,
-    /// Whether the bodies are smooth.
-    pub(in crate::sim) smooth: bool,
+    /// Root mean square height of both bodies together \[m\]; 0 of smooth ones.
+    pub(in crate::sim) composite_rq: f64,
+    /// Largest pressure \[Pa\], if it is solved.
+    pub(in crate::sim) largest_pressure: Option<f64>,
     /// Friction coefficients of solid contact and of the fluid.
     pub(in crate::sim) friction: [f64; 2],
     /// Mean film in the center \[m\].
@@ -39,8 +48,13 @@ pub(in crate::sim) struct OperatingPoint<'a> {
 
 /// Warnings about physics that the scene leaves out at this operating point.
 pub(in crate::sim) fn left_out(scene: &Scene, point: &OperatingPoint<'_>) -> Vec<Warning> {
-    let checks =
-        [isothermal(scene, point), sheared(scene, point), ridges(scene, point), yields(scene, point)];
+    let checks = [
+        isothermal(scene, point),
+        sheared(scene, point),
+        ridges(scene, point),
+        too_elastic(scene, point),
+        yields(scene, point),
+    ];
     checks.into_iter().flatten().collect()
 }
 
@@ -91,18 +105,38 @@ fn sheared(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
     Some(Warning::new("friction.fluid", fluid, message, remedy.to_owned()))
 }
 
-/// A rough profile under a line contact with solid contact.
+/// A rough profile under a line contact with solid contact, or with so thin a film that a surface which is rough along both axes would touch.
 fn ridges(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
-    let touches = point.load_ratio > LARGEST_RIDGE_LOAD;
+    let rq = point.composite_rq;
+    let touches = point.load_ratio > LARGEST_RIDGE_LOAD || point.film < LEAST_RIDGE_LAMBDA * rq;
     let is_ridged = scene.form.is_line() && !scene.is_strip();
-    (is_ridged && scene.is_lubricated() && !point.smooth && touches).then(|| {
+    (is_ridged && scene.is_lubricated() && rq > 0.0 && touches).then(|| {
         Warning::new(
             "contact.load_ratio",
             point.load_ratio,
-            "a profile under a line contact is ridges across the flow, which oil cannot flow around: load ratio and friction are not \
-             those of a surface that is rough along both axes"
-                .to_owned(),
-            "a strip, with cells across the flow: grid.across = \"periodic\" and grid.ny".to_owned(),
+            format!(
+                "a profile under a line contact is ridges across the flow, which oil cannot flow around: at a film of {} Rq load ratio and \
+                 friction are not those of a surface that is rough along both axes",
+                short((1e3 * point.film / rq).round() / 1e3)
+            ),
+            "a strip, with cells across the flow: grid.across = \"periodic\" with nx, ny and x".to_owned(),
+        )
+    })
+}
+
+/// Elastic bodies under a pressure that no material carries without yielding.
+fn too_elastic(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
+    let (pressure, modulus) = (point.largest_pressure?, scene.equivalent_modulus().ok()?);
+    let is_elastic = scene.plastic.is_none() && modulus > ELASTOMER;
+    (is_elastic && pressure > LARGEST_ELASTIC * modulus).then(|| {
+        Warning::new(
+            "pressure.max",
+            pressure,
+            format!(
+                "it is above {LARGEST_ELASTIC} of the equivalent modulus, where asperities of any material yield: pressures are too high, and \
+                 films at asperities too thin"
+            ),
+            "[plastic] with the hardness of the softer body limits the pressure: hardness = \"7 GPa\" for hardened steel".to_owned(),
         )
     })
 }

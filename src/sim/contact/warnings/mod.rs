@@ -13,6 +13,7 @@ mod solved;
 
 use std::fmt;
 
+pub(in crate::sim) use given_film::bearing_warnings;
 pub use given_film::given_film_warnings;
 pub(in crate::sim) use left_out::{OperatingPoint, left_out};
 pub(in crate::sim) use plausible::{of_own_laws, reject_height_unit, reject_units};

@@ -127,6 +127,9 @@ pub(super) const ACTIVATION_VOLUME: Plausible = plausible(1e-31, 1e-25, 1e-29, &
 pub(super) const BARRIER: Plausible = plausible(1e-21, 1.6e-18, 1.3e-19, &JOULE);
 /// Bulk temperatures, from arctic cold to softening steel.
 pub(super) const TEMPERATURE: Plausible = plausible(200.0, 1500.0, 350.0, &KELVIN).accepted(100.0, 5000.0);
+/// Temperatures of oils by their data sheets: viscosities are extrapolated from 40 and 100 degC, and oils decompose.
+pub(super) const OIL_TEMPERATURE: Plausible =
+    plausible(200.0, 523.15, 350.0, &KELVIN).accepted(100.0, 5000.0);
 /// Conductivities of solids including diamond.
 pub(super) const HEAT_CONDUCTIVITY: Plausible = plausible(0.01, 3000.0, 46.0, &CONDUCTIVITY);
 /// Diffusivities of solids.

@@ -31,6 +31,18 @@ pub(in crate::sim) fn largest_mesh(scene: &Scene) -> Result<usize, SimError> {
     }
 }
 
+/// Nodes of the first mesh of a rough contact, of the finest of the first ones for a smooth contact.
+pub(in crate::sim) fn first_mesh(scene: &Scene) -> Result<usize, SimError> {
+    match scene.grid {
+        GridSpec::Accuracy { accuracy } if !scene.is_smooth() => {
+            let grid = rough::cells_of_waves(scene, accuracy)?;
+            Ok(Scene { grid, ..scene.clone() }.grid()?.len())
+        }
+        GridSpec::Accuracy { .. } => largest_mesh(scene),
+        _ => Ok(scene.grid()?.len()),
+    }
+}
+
 /// The meshes of one contact before the first solve.
 pub(in crate::sim) enum Meshes {
     /// A smooth contact whose box and cells are chosen.

@@ -1,6 +1,7 @@
 //! Scenes of test rigs, rolling bearings, rollers and journal bearings.
 
 mod bearing;
+mod bearing_list;
 mod rig;
 
 use std::error::Error;

@@ -1,9 +1,18 @@
 //! Journal bearings: films of eccentric circles, load vector, equilibrium under a load.
+//!
+//! | file | content |
+//! |---|---|
+//! | `feeds` | grooves and holes of the bush |
+//! | `bore` | deflection of journal and bush under the pressure of the film |
 
-use std::f64::consts::{PI, TAU};
+mod bore;
+mod feeds;
+
+pub use bore::ElasticBore;
+pub use feeds::{Grooves, Holes};
 
 use super::ReynoldsError;
-use super::given_film::{Feed, FilmThickness, GivenFilm, GivenFilmSolution, MeanRoughness};
+use super::given_film::{FilmThickness, GivenFilm, GivenFilmSolution, MeanRoughness};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
@@ -29,35 +38,10 @@ const DAMPING: f64 = 0.8;
 /// Most positions of the grooves at one eccentricity.
 const MOST_POSITIONS: usize = 20;
 
-/// Axial grooves in the middle of the width of the bush.
-///
-/// In the lands between a groove and the sides its pressure falls linearly to that of the sides. The film begins and ends full, with the pressure of the groove; the groove itself has no friction. The first angle of the list
-/// is where the film begins.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Grooves<'a> {
-    /// Angles of their middles from the load \[rad\], in the direction of rotation.
-    pub angles: &'a [f64],
-    /// Width along the circumference \[m\].
-    pub width: f64,
-    /// Length along the axis \[m\], less than the width of the bearing under a pressure: the flow from a corner of groove
-    /// and side is infinite.
-    pub length: f64,
-    /// Pressure above ambient \[Pa\].
-    pub pressure: f64,
-}
-
-impl<'a> Grooves<'a> {
-    /// Grooves of the `[width, length]` \[m\] and the `pressure` \[Pa\] above ambient at `angles` from the load \[rad\].
-    pub const fn new(angles: &'a [f64], [width, length]: [f64; 2], pressure: f64) -> Self {
-        Self { angles, width, length, pressure }
-    }
-}
-
-/// A rigid journal that turns in a rigid bush of finite width, with the film `h = c (1 + e cos phi)`.
+/// A journal that turns in a bush of finite width, with the film `h = c (1 + e cos phi)`.
 ///
 /// The angle `phi` begins where the gap is widest, in the direction of rotation. There the film is supplied at ambient
-/// pressure, unless the bush has [`Grooves`]; at both sides pressure is ambient too. The film cavitates at ambient pressure with conservation of mass
+/// pressure, unless the bush has [`Grooves`]; [`Holes`] add their flow; at both sides pressure is ambient too. The film cavitates at ambient pressure with conservation of mass
 /// ([`GivenFilm`]). Axes are parallel, the state is steady.
 ///
 /// Short bearings (Ocvirk): `W = eta omega R L^3/(4 c^2) e/(1 - e^2)^2 sqrt(pi^2 (1 - e^2) + 16 e^2)`.
@@ -93,6 +77,10 @@ pub struct JournalBearing<'a> {
     pub cells: [usize; 2],
     /// Grooves in the bush.
     pub grooves: Option<Grooves<'a>>,
+    /// Round holes that feed the film.
+    pub holes: Option<Holes<'a>>,
+    /// Deflection of journal and bush under the pressure of the film; rigid without it.
+    pub bore: Option<ElasticBore>,
     /// Roughness of journal (lower surface) and bush in the mean.
     pub roughness: Option<MeanRoughness>,
 }
@@ -117,6 +105,10 @@ pub struct JournalSolution {
     pub least_film: f64,
     /// Flow from the grooves \[m^3/s at the density of zero pressure\]; 0 without grooves.
     pub groove_flow: f64,
+    /// Flow from the holes \[m^3/s at the density of zero pressure\]; 0 without holes.
+    pub hole_flow: f64,
+    /// Largest widening of the film by the deflection of journal and bush \[m\]; 0 of rigid ones.
+    pub bore_widening: f64,
     /// The unrolled film: `x = R phi`; the lower surface is the journal.
     pub film: GivenFilmSolution,
 }
@@ -133,6 +125,8 @@ impl<'a> JournalBearing<'a> {
             lubricant,
             cells: [180, 40],
             grooves: None,
+            holes: None,
+            bore: None,
             roughness: None,
         }
     }
@@ -141,6 +135,8 @@ impl<'a> JournalBearing<'a> {
 with_fields!(<'a> JournalBearing<'a> {
     with_cells cells: [usize; 2],
     with_grooves grooves: Option<Grooves<'a>>,
+    with_holes holes: Option<Holes<'a>>,
+    with_bore bore: Option<ElasticBore>,
     with_roughness roughness: Option<MeanRoughness>,
 });
 
@@ -182,6 +178,9 @@ impl JournalBearing<'_> {
         attitude: f64,
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
+        if let Some(bore) = self.bore {
+            return bore::equilibrium(self, bore, [load, attitude], interrupted);
+        }
         let most = self.most_eccentric();
         let mut solution = self.solve_at(most, attitude, interrupted)?;
         if solution.load < load {
@@ -233,74 +232,82 @@ impl JournalBearing<'_> {
         for _ in 0..MOST_POSITIONS {
             let solution = solve(attitude)?;
             let change = solution.attitude - attitude;
-            if self.grooves.is_none() || solution.eccentricity == 0.0 || change.abs() < ATTITUDE_TOLERANCE {
+            if !self.is_fed() || solution.eccentricity == 0.0 || change.abs() < ATTITUDE_TOLERANCE {
                 return Ok(solution);
             }
             attitude += DAMPING * change;
         }
         Err(InputError::Conflict {
-            field: "grooves".to_owned(),
+            field: "supply_pressure".to_owned(),
             reason: "the direction of the load does not settle; a lower supply pressure or another angle"
                 .to_owned(),
         }
         .into())
     }
 
-    /// Solves with grooves at the `attitude` angle of the load.
+    /// Solves with feeds at the `attitude` angle of the load.
     fn solve_at(
         &self,
         eccentricity: f64,
         attitude: f64,
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
-        self.validate(eccentricity)?;
-        let (sides, circumference) = ([0.0, self.width], TAU * self.radius);
-        // The load points to the angle pi - attitude from the widest gap.
-        let turn = self.angular_speed.signum();
-        let middles: Vec<f64> = self.grooves.map_or_else(Vec::new, |grooves| {
-            grooves.angles.iter().map(|angle| self.radius * (PI + turn * (angle - attitude))).collect()
-        });
-        let (width, pressure) = self.grooves.map_or((0.0, 0.0), |grooves| (grooves.width, grooves.pressure));
-        let land = self.grooves.map_or(0.0, |grooves| 0.5 * (self.width - grooves.length));
-        let along = [land, self.width - land];
-        let start = middles.first().map_or(0.0, |middle| middle + 0.5 * width);
-        let feeds: Vec<Feed> = middles
-            .iter()
-            .skip(1)
-            .map(|middle| start + (middle - start).rem_euclid(circumference))
-            .map(|middle| Feed::new([middle - 0.5 * width, middle + 0.5 * width], along, pressure))
-            .collect();
-        let ends = [start, start + circumference - width];
-        let grid = Grid::from_edges(self.cells[0], self.cells[1], ends, sides)?;
+        let requirement = "at least 0 and below 1: the distance of the axes over the radial clearance";
+        InputError::require((0.0..1.0).contains(&eccentricity), "eccentricity", eccentricity, requirement)?;
+        match self.bore {
+            None => self.film_at([eccentricity, attitude], &[], interrupted),
+            Some(bore) => bore::solve(self, bore, [eccentricity, attitude], interrupted),
+        }
+    }
+
+    /// The grid of the film with feeds at the `attitude` angle of the load.
+    fn grid(&self, attitude: f64) -> Result<Grid, InputError> {
+        Grid::from_edges(self.cells[0], self.cells[1], self.supply(attitude).ends, [0.0, self.width])
+    }
+
+    /// Solves the film at `[eccentricity, attitude]`, with the film wider by `widening` \[m\] on the nodes, or not if that is empty.
+    fn film_at(
+        &self,
+        [eccentricity, attitude]: [f64; 2],
+        widening: &[f64],
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<JournalSolution, ReynoldsError> {
+        self.validate()?;
+        let grid = self.grid(attitude)?;
+        let supply = self.supply(attitude);
+        self.validate_holes(&supply)?;
+        let (land, pressure) = (supply.land, supply.groove_pressure);
         let gap = |x: f64| self.clearance * (1.0 + eccentricity * (x / self.radius).cos());
-        let film = FilmThickness::from_function(grid, |x, _| gap(x))?;
+        let film = FilmThickness::from_function(grid, |x, y| {
+            gap(x) + if widening.is_empty() { 0.0 } else { grid.interpolate(widening, x, y).unwrap_or(f64::NAN) }
+        })?;
         let speed = self.angular_speed * self.radius;
         let mut solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0])
             .with_edge_pressures([pressure, pressure, 0.0, 0.0])
             .with_lands(land)
-            .with_feeds(&feeds)
+            .with_feeds(&supply.feeds)
             .with_roughness(self.roughness)
             .solve_unless(interrupted)?;
-        // The film pushes the journal inwards, against the direction of the angle.
-        let groove = middles.first().map_or(0.0, |middle| middle / self.radius);
-        // Over the length of the first groove, and half of its pressure over both lands beside it.
-        let length = self.width - land;
-        let in_groove = 2.0 * pressure * self.radius * length * (0.5 * width / self.radius).sin();
         // Through both lands beside the first groove, `w h^3 p/(12 eta l)`.
         let viscosity = self.lubricant.viscosity().viscosity(0.0);
-        let through_land = match middles.first() {
-            Some(&middle) if land > 0.0 => width * gap(middle).powi(3) * pressure / (12.0 * viscosity * land),
+        let through_land = match supply.first_groove {
+            Some([middle, width]) if land > 0.0 => {
+                width * gap(middle).powi(3) * pressure / (12.0 * viscosity * land)
+            }
             _ => 0.0,
         };
         solution.add_side_flow(through_land);
         let [cosine, sine] = self.moments(&solution, &solution.pressure);
         let contact = solution.contact.as_ref();
         let contact = contact.map_or([0.0; 2], |contact| self.moments(&solution, &contact.pressure));
-        let force =
-            [-cosine - contact[0] - in_groove * groove.cos(), -sine - contact[1] - in_groove * groove.sin()];
+        // The film pushes the journal inwards, against the direction of the angle.
+        let in_groove = self.force_in_groove(&supply);
+        let force = [-cosine - contact[0] - in_groove[0], -sine - contact[1] - in_groove[1]];
         let load = force[0].hypot(force[1]);
         let psi = self.clearance / self.radius;
         let area = 2.0 * self.width * self.radius;
+        let [hole_flow, grooves_flow] = supply.flows(&solution.feed_flows);
+        let least = film.nodes().iter().copied().fold(f64::INFINITY, f64::min);
         Ok(JournalSolution {
             eccentricity,
             load,
@@ -310,15 +317,16 @@ impl JournalBearing<'_> {
             } else {
                 0.0
             },
-            attitude: (-turn * force[1]).atan2(force[0]),
+            attitude: (-self.angular_speed.signum() * force[1]).atan2(force[0]),
             sommerfeld: load * psi * psi / (area * viscosity * self.angular_speed.abs()),
-            least_film: self.clearance * (1.0 - eccentricity),
+            least_film: if widening.is_empty() { self.clearance * (1.0 - eccentricity) } else { least },
             groove_flow: if self.grooves.is_some() {
-                let into_film: f64 = solution.feed_flows.iter().sum();
-                into_film - solution.edge_flows[0] - solution.edge_flows[1] + 2.0 * through_land
+                grooves_flow - solution.edge_flows[0] - solution.edge_flows[1] + 2.0 * through_land
             } else {
                 0.0
             },
+            hole_flow,
+            bore_widening: widening.iter().copied().fold(0.0, f64::max),
             film: solution,
         })
     }
@@ -335,46 +343,8 @@ impl JournalBearing<'_> {
         moments
     }
 
-    /// Error for grooves that are out of range or overlap.
-    fn validate_grooves(&self, grooves: Grooves<'_>) -> Result<(), InputError> {
-        InputError::require_positive("groove_width", grooves.width)?;
-        InputError::require_positive("groove_length", grooves.length)?;
-        let fits =
-            if grooves.pressure > 0.0 { grooves.length < self.width } else { grooves.length <= self.width };
-        InputError::require(
-            fits,
-            "groove_length",
-            grooves.length,
-            "below the width of the bearing; without supply_pressure at most that width",
-        )?;
-        InputError::require(
-            grooves.pressure.is_finite() && grooves.pressure >= 0.0,
-            "supply_pressure",
-            grooves.pressure,
-            "finite and at least 0: it is above ambient",
-        )?;
-        let conflict = |reason: &str| {
-            Err(InputError::Conflict {
-                field: format!("groove_angles = {:?} rad", grooves.angles),
-                reason: reason.to_owned(),
-            })
-        };
-        if grooves.angles.is_empty() || !grooves.angles.iter().all(|angle| angle.is_finite()) {
-            return conflict("must be one or more finite angles from the load, in the direction of rotation");
-        }
-        let mut sorted: Vec<f64> = grooves.angles.iter().map(|angle| angle.rem_euclid(TAU)).collect();
-        sorted.sort_by(f64::total_cmp);
-        sorted.extend(sorted.first().map(|first| first + TAU));
-        if sorted.windows(2).any(|pair| (pair[1] - pair[0]) * self.radius <= 2.0 * grooves.width) {
-            return conflict(
-                "the grooves must be apart by more than their width; narrower grooves, or other angles",
-            );
-        }
-        Ok(())
-    }
-
     /// Checks all values.
-    fn validate(&self, eccentricity: f64) -> Result<(), InputError> {
+    fn validate(&self) -> Result<(), InputError> {
         InputError::require_positive("radius", self.radius)?;
         InputError::require_positive("width", self.width)?;
         InputError::require_positive("clearance", self.clearance)?;
@@ -390,10 +360,12 @@ impl JournalBearing<'_> {
             self.angular_speed,
             "finite and not 0",
         )?;
-        if let Some(grooves) = self.grooves {
-            self.validate_grooves(grooves)?;
+        if let Some(bore) = self.bore {
+            bore.validate()?;
         }
-        let requirement = "at least 0 and below 1: the distance of the axes over the radial clearance";
-        InputError::require((0.0..1.0).contains(&eccentricity), "eccentricity", eccentricity, requirement)
+        match self.grooves {
+            Some(grooves) => self.validate_grooves(grooves),
+            None => Ok(()),
+        }
     }
 }

@@ -1,0 +1,277 @@
+//! Journal bearings whose surfaces deflect under the pressure of the film.
+//!
+//! The film is wider by `K p`, with the influence `K` of the bodies. A state is a fixed point of `w -> K p(w)` at one eccentricity, found
+//! with Anderson's acceleration. Eccentricities are approached from small ones in steps that leave the film positive.
+
+use faer::Mat;
+
+use super::{JournalBearing, JournalSolution, LOAD_TOLERANCE, MOST_SOLVES};
+use crate::elastic::{DeformationModel, HalfSpace};
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::numerics::{FalsePosition, least_squares};
+use crate::reynolds::ReynoldsError;
+
+/// Largest eccentricity; that of an elastic bearing may be above 1.
+const MOST_ECCENTRIC: f64 = 5.0;
+/// Difference of the widening and that of its pressure, over the least film.
+const TOLERANCE: f64 = 1e-3;
+/// Most films of one eccentricity.
+const MOST_FILMS: usize = 80;
+/// States that the acceleration combines.
+const DEPTH: usize = 6;
+/// Singular values of the last changes, over the largest one, that count as zero.
+const UNDETERMINED: f64 = 1e-8;
+/// First eccentricity, and largest step of it.
+const FIRST: f64 = 0.3;
+const LARGEST_STEP: f64 = 0.1;
+/// Share of the least film by which a step may narrow it.
+const NARROWING: f64 = 0.4;
+
+/// Deflection of journal and bush together under the pressure of the film.
+///
+/// ```
+/// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+/// use stribeck::reynolds::{ElasticBore, JournalBearing};
+/// let oil = Lubricant::new(Barus::new(0.02, 0.0)?, Incompressible);
+/// let rigid = JournalBearing::new([25e-3, 25e-3, 25e-6], 300.0, &oil).with_cells([60, 10]);
+/// let liner = ElasticBore::Column { compliance: 1e-13 }; // 1 um at 10 MPa
+/// let soft = rigid.with_bore(Some(liner)).solve(0.8)?;
+/// assert!(soft.load < rigid.solve(0.8)?.load && soft.bore_widening > 1e-7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum ElasticBore {
+    /// Half-spaces along the unrolled film with `E'` \[Pa\] of journal and bush, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`: thick bodies
+    /// under a loaded arc that is short beside them.
+    HalfSpace {
+        /// Equivalent modulus \[Pa\].
+        equivalent_modulus: f64,
+    },
+    /// A thin liner in a stiff housing, each column of which deflects by itself: `w = C p`.
+    Column {
+        /// Deflection per pressure \[m/Pa\].
+        compliance: f64,
+    },
+}
+
+impl ElasticBore {
+    /// A bonded liner of a `thickness` \[m\] with Young's modulus \[Pa\] and Poisson's ratio below 0.5 in a stiff housing:
+    /// `C = t (1 + v)(1 - 2 v)/(E (1 - v))`, for a liner that is thin beside the loaded arc.
+    pub fn liner(thickness: f64, modulus: f64, poisson: f64) -> Self {
+        let oedometric = modulus * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+        Self::Column { compliance: thickness / oedometric }
+    }
+
+    /// Error for a value that is not finite and positive.
+    pub(super) fn validate(self) -> Result<(), InputError> {
+        match self {
+            Self::HalfSpace { equivalent_modulus } => {
+                InputError::require_positive("bore_modulus", equivalent_modulus)
+            }
+            Self::Column { compliance } => InputError::require_positive("liner_compliance", compliance),
+        }
+    }
+}
+
+/// The influence of the pressure on the film.
+enum Influence {
+    HalfSpace(HalfSpace),
+    Column(f64),
+}
+
+impl Influence {
+    fn new(bore: ElasticBore, grid: Grid) -> Result<Self, InputError> {
+        bore.validate()?;
+        Ok(match bore {
+            ElasticBore::HalfSpace { equivalent_modulus } => {
+                Self::HalfSpace(HalfSpace::new(grid, equivalent_modulus)?)
+            }
+            ElasticBore::Column { compliance } => Self::Column(compliance),
+        })
+    }
+
+    /// Widening under `pressure` \[m\].
+    fn widening(&mut self, pressure: &[f64]) -> Result<Vec<f64>, InputError> {
+        match self {
+            Self::HalfSpace(bodies) => {
+                let mut out = vec![0.0; pressure.len()];
+                bodies.displacement(pressure, &mut out)?;
+                Ok(out)
+            }
+            Self::Column(compliance) => Ok(pressure.iter().map(|pressure| *compliance * pressure).collect()),
+        }
+    }
+}
+
+/// A bearing whose eccentricity changes in steps.
+struct Walk<'a> {
+    bearing: &'a JournalBearing<'a>,
+    attitude: f64,
+    grid: Grid,
+    influence: Influence,
+    interrupted: &'a dyn Fn() -> bool,
+    /// Widening of the current state \[m\].
+    widening: Vec<f64>,
+    /// Eccentricity of the current state.
+    eccentricity: f64,
+}
+
+/// Solves at `[eccentricity, attitude]`.
+pub(super) fn solve(
+    bearing: &JournalBearing<'_>,
+    bore: ElasticBore,
+    [eccentricity, attitude]: [f64; 2],
+    interrupted: &dyn Fn() -> bool,
+) -> Result<JournalSolution, ReynoldsError> {
+    let mut walk = Walk::new(bearing, bore, attitude, interrupted)?;
+    let mut solution = walk.to(eccentricity.min(FIRST))?;
+    while walk.eccentricity < eccentricity {
+        let next = (walk.eccentricity + walk.step(&solution)).min(eccentricity);
+        solution = walk.to(next)?;
+    }
+    Ok(solution)
+}
+
+/// The equilibrium under `[load, attitude]`.
+pub(super) fn equilibrium(
+    bearing: &JournalBearing<'_>,
+    bore: ElasticBore,
+    [load, attitude]: [f64; 2],
+    interrupted: &dyn Fn() -> bool,
+) -> Result<JournalSolution, ReynoldsError> {
+    let mut walk = Walk::new(bearing, bore, attitude, interrupted)?;
+    let (mut low, mut solution) = ([0.0, -load], walk.to(FIRST)?);
+    while solution.load < load {
+        low = [walk.eccentricity, solution.load - load];
+        let next = walk.eccentricity + walk.step(&solution);
+        if next > MOST_ECCENTRIC {
+            return Err(InputError::Conflict {
+                field: format!("load = {load} N"),
+                reason: format!(
+                    "the film carries {:.6} N at an eccentricity of {:.3}; a smaller load, or stiffer bodies",
+                    solution.load, walk.eccentricity
+                ),
+            }
+            .into());
+        }
+        solution = walk.to(next)?;
+    }
+    let mut bracket = FalsePosition::new(low, [walk.eccentricity, solution.load - load], None);
+    for _ in 0..MOST_SOLVES {
+        // The load is as exact as the widening of the film.
+        if (solution.load / load - 1.0).abs() < TOLERANCE.max(LOAD_TOLERANCE) {
+            break;
+        }
+        let eccentricity = bracket.next(0.01);
+        solution = walk.to(eccentricity)?;
+        bracket.add(eccentricity, solution.load - load);
+    }
+    Ok(solution)
+}
+
+impl<'a> Walk<'a> {
+    fn new(
+        bearing: &'a JournalBearing<'a>,
+        bore: ElasticBore,
+        attitude: f64,
+        interrupted: &'a dyn Fn() -> bool,
+    ) -> Result<Self, ReynoldsError> {
+        bearing.validate()?;
+        let grid = bearing.grid(attitude)?;
+        let influence = Influence::new(bore, grid)?;
+        let widening = vec![0.0; grid.len()];
+        Ok(Self { bearing, attitude, grid, influence, interrupted, widening, eccentricity: 0.0 })
+    }
+
+    /// The next step of the eccentricity.
+    fn step(&self, solution: &JournalSolution) -> f64 {
+        (NARROWING * solution.least_film / self.bearing.clearance).min(LARGEST_STEP)
+    }
+
+    /// The state at an `eccentricity`, from the current one.
+    fn to(&mut self, eccentricity: f64) -> Result<JournalSolution, ReynoldsError> {
+        let mut mixing = Anderson::default();
+        for _ in 0..MOST_FILMS {
+            let solution =
+                self.bearing.film_at([eccentricity, self.attitude], &self.widening, self.interrupted)?;
+            let target = self.influence.widening(&total_pressure(&solution))?;
+            let change: Vec<f64> = target.iter().zip(&self.widening).map(|(to, from)| to - from).collect();
+            let largest = change.iter().fold(0.0, |most: f64, change| most.max(change.abs()));
+            if largest <= TOLERANCE * solution.least_film {
+                self.eccentricity = eccentricity;
+                return Ok(solution);
+            }
+            // Pressures fall with the cube of the film or so.
+            let share = 1.0 / (1.0 + 3.0 * largest / solution.least_film);
+            let next = mixing.next(&self.widening, &change, share);
+            self.widening = self.positive(eccentricity, next, &change, share);
+        }
+        Err(InputError::Conflict {
+            field: "bore".to_owned(),
+            reason: format!(
+                "the deflection does not settle at an eccentricity of {eccentricity:.4}; a smaller load, stiffer bodies or more cells"
+            ),
+        }
+        .into())
+    }
+
+    /// The widening `next`, or one nearer to the current one if it narrows the film by too much.
+    fn positive(&self, eccentricity: f64, next: Vec<f64>, change: &[f64], share: f64) -> Vec<f64> {
+        let (clearance, radius) = (self.bearing.clearance, self.bearing.radius);
+        let is_open = self.grid.nodes().zip(next.iter().zip(&self.widening)).all(|((x, _), (next, now))| {
+            let rigid = clearance * (1.0 + eccentricity * (x / radius).cos());
+            rigid + next > (1.0 - 2.0 * NARROWING) * (rigid + now)
+        });
+        if is_open {
+            return next;
+        }
+        self.widening.iter().zip(change).map(|(now, change)| now + 0.1 * share * change).collect()
+    }
+}
+
+/// Pressure of film and asperities \[Pa\].
+fn total_pressure(solution: &JournalSolution) -> Vec<f64> {
+    let film = &solution.film.pressure;
+    match &solution.film.contact {
+        None => film.clone(),
+        Some(contact) => film.iter().zip(&contact.pressure).map(|(fluid, solid)| fluid + solid).collect(),
+    }
+}
+
+/// Anderson's acceleration of a fixed-point iteration: the combination of the last states whose changes are least.
+#[derive(Default)]
+struct Anderson {
+    /// Last states and their changes, the newest last.
+    states: Vec<[Vec<f64>; 2]>,
+}
+
+impl Anderson {
+    /// The state after `now` with the `change` of a full step; a plain step takes a `share` of it.
+    fn next(&mut self, now: &[f64], change: &[f64], share: f64) -> Vec<f64> {
+        if self.states.len() == DEPTH {
+            self.states.remove(0);
+        }
+        let differences: Vec<[Vec<f64>; 2]> = self
+            .states
+            .iter()
+            .map(|[state, past]| {
+                let less = |from: &[f64], of: &[f64]| from.iter().zip(of).map(|(a, b)| a - b).collect();
+                [less(now, state), less(change, past)]
+            })
+            .collect();
+        self.states.push([now.to_vec(), change.to_vec()]);
+        let matrix = Mat::from_fn(change.len(), differences.len(), |i, k| differences[k][1][i]);
+        let none = differences.is_empty();
+        let weights = if none { None } else { least_squares(&matrix, change, UNDETERMINED) };
+        let weights = weights.unwrap_or_else(|| vec![0.0; differences.len()]);
+        let mut next: Vec<f64> = now.iter().zip(change).map(|(now, change)| now + share * change).collect();
+        for ([state, past], weight) in differences.iter().zip(&weights) {
+            for (next, (state, past)) in next.iter_mut().zip(state.iter().zip(past)) {
+                *next -= weight * (state + share * past);
+            }
+        }
+        next
+    }
+}

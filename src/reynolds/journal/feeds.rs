@@ -1,0 +1,216 @@
+//! Grooves and holes of the bush of a journal bearing.
+
+use std::f64::consts::{PI, TAU};
+
+use super::JournalBearing;
+use crate::error::InputError;
+use crate::reynolds::given_film::Feed;
+
+/// Axial grooves in the middle of the width of the bush.
+///
+/// In the lands between a groove and the sides its pressure falls linearly to that of the sides. The film begins and ends full, with the pressure of the groove; the groove itself has no friction. The first angle of the list
+/// is where the film begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Grooves<'a> {
+    /// Angles of their middles from the load \[rad\], in the direction of rotation.
+    pub angles: &'a [f64],
+    /// Width along the circumference \[m\].
+    pub width: f64,
+    /// Length along the axis \[m\], less than the width of the bearing under a pressure: the flow from a corner of groove
+    /// and side is infinite.
+    pub length: f64,
+    /// Pressure above ambient \[Pa\].
+    pub pressure: f64,
+}
+
+impl<'a> Grooves<'a> {
+    /// Grooves of the `[width, length]` \[m\] and the `pressure` \[Pa\] above ambient at `angles` from the load \[rad\].
+    pub const fn new(angles: &'a [f64], [width, length]: [f64; 2], pressure: f64) -> Self {
+        Self { angles, width, length, pressure }
+    }
+}
+
+/// Round holes in the middle of the width of the bush.
+///
+/// A hole adds its flow to a film that is otherwise supplied: without [`Grooves`] the film is full at the widest gap, as in ISO 7902-1.
+///
+/// ```
+/// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+/// use stribeck::reynolds::{Holes, JournalBearing};
+/// let oil = Lubricant::new(Barus::new(0.02, 0.0)?, Incompressible);
+/// let bearing = JournalBearing::new([25e-3, 25e-3, 25e-6], 300.0, &oil).with_cells([120, 20]);
+/// let hole = Holes::new(&[std::f64::consts::PI], 5e-3, 2e5); // opposite the load
+/// let fed = bearing.with_holes(Some(hole)).solve(0.6)?;
+/// assert!(fed.hole_flow > 0.0 && fed.film.side_flow > bearing.solve(0.6)?.film.side_flow);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Holes<'a> {
+    /// Angles of their middles from the load \[rad\], in the direction of rotation.
+    pub angles: &'a [f64],
+    /// Diameter \[m\].
+    pub diameter: f64,
+    /// Pressure above ambient \[Pa\].
+    pub pressure: f64,
+}
+
+impl<'a> Holes<'a> {
+    /// Holes of a `diameter` \[m\] and the `pressure` \[Pa\] above ambient at `angles` from the load \[rad\].
+    pub const fn new(angles: &'a [f64], diameter: f64, pressure: f64) -> Self {
+        Self { angles, diameter, pressure }
+    }
+}
+
+/// Feeds of a film at one attitude angle.
+pub(super) struct Supply {
+    /// Ends of the film along the circumference \[m\].
+    pub(super) ends: [f64; 2],
+    /// Holes, and grooves but for the first one.
+    pub(super) feeds: Vec<Feed>,
+    /// Number of holes; they are first in the list.
+    holes: usize,
+    /// Middle and width of the groove where the film begins \[m\].
+    pub(super) first_groove: Option<[f64; 2]>,
+    /// Distance of grooves from the sides \[m\].
+    pub(super) land: f64,
+    /// Pressure of grooves above ambient \[Pa\].
+    pub(super) groove_pressure: f64,
+}
+
+impl Supply {
+    /// Sums of the `flows` of feeds: of holes, and of grooves.
+    pub(super) fn flows(&self, flows: &[f64]) -> [f64; 2] {
+        let holes: f64 = flows.iter().take(self.holes).sum();
+        [holes, flows.iter().skip(self.holes).sum()]
+    }
+}
+
+impl JournalBearing<'_> {
+    /// Whether the bush has grooves or holes, whose angles count from the load.
+    pub(super) fn is_fed(&self) -> bool {
+        self.grooves.is_some() || self.holes.is_some()
+    }
+
+    /// Feeds at the `attitude` angle of the load, which points to the angle `pi - attitude` from the widest gap.
+    pub(super) fn supply(&self, attitude: f64) -> Supply {
+        let circumference = TAU * self.radius;
+        let turn = self.angular_speed.signum();
+        let place = |angle: &f64| self.radius * (PI + turn * (angle - attitude));
+        let middles: Vec<f64> =
+            self.grooves.map_or_else(Vec::new, |grooves| grooves.angles.iter().map(place).collect());
+        let width = self.grooves.map_or(0.0, |grooves| grooves.width);
+        let groove_pressure = self.grooves.map_or(0.0, |grooves| grooves.pressure);
+        let land = self.grooves.map_or(0.0, |grooves| 0.5 * (self.width - grooves.length));
+        let along = [land, self.width - land];
+        let start = middles.first().map_or(0.0, |middle| middle + 0.5 * width);
+        let after_start = |middle: f64| start + (middle - start).rem_euclid(circumference);
+        let mut feeds = Vec::new();
+        if let Some(holes) = self.holes {
+            let hole = |angle: &f64| {
+                Feed::hole([after_start(place(angle)), 0.5 * self.width], holes.diameter, holes.pressure)
+            };
+            feeds.extend(holes.angles.iter().map(hole));
+        }
+        let count = feeds.len();
+        feeds.extend(
+            middles
+                .iter()
+                .skip(1)
+                .map(|middle| after_start(*middle))
+                .map(|middle| Feed::new([middle - 0.5 * width, middle + 0.5 * width], along, groove_pressure)),
+        );
+        Supply {
+            ends: [start, start + circumference - width],
+            feeds,
+            holes: count,
+            first_groove: middles.first().map(|middle| [*middle, width]),
+            land,
+            groove_pressure,
+        }
+    }
+
+    /// Force of the pressure in the first groove \[N\], over its length and half of that over both lands beside it.
+    pub(super) fn force_in_groove(&self, supply: &Supply) -> [f64; 2] {
+        let Some([middle, width]) = supply.first_groove else { return [0.0; 2] };
+        let length = self.width - supply.land;
+        let force = 2.0 * supply.groove_pressure * self.radius * length * (0.5 * width / self.radius).sin();
+        let (sine, cosine) = (middle / self.radius).sin_cos();
+        [force * cosine, force * sine]
+    }
+
+    /// Error for grooves that are out of range or overlap.
+    pub(super) fn validate_grooves(&self, grooves: Grooves<'_>) -> Result<(), InputError> {
+        InputError::require_positive("groove_width", grooves.width)?;
+        InputError::require_positive("groove_length", grooves.length)?;
+        let fits =
+            if grooves.pressure > 0.0 { grooves.length < self.width } else { grooves.length <= self.width };
+        InputError::require(
+            fits,
+            "groove_length",
+            grooves.length,
+            "below the width of the bearing; without supply_pressure at most that width",
+        )?;
+        require_pressure(grooves.pressure)?;
+        require_angles("groove_angles", grooves.angles)?;
+        let mut sorted: Vec<f64> = grooves.angles.iter().map(|angle| angle.rem_euclid(TAU)).collect();
+        sorted.sort_by(f64::total_cmp);
+        sorted.extend(sorted.first().map(|first| first + TAU));
+        if sorted.windows(2).any(|pair| (pair[1] - pair[0]) * self.radius <= 2.0 * grooves.width) {
+            return Err(of_angles(
+                "groove_angles",
+                grooves.angles,
+                "the grooves must be apart by more than their width; narrower grooves, or other angles",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Error for holes that are out of range, or where the film begins or ends.
+    pub(super) fn validate_holes(&self, supply: &Supply) -> Result<(), InputError> {
+        let Some(holes) = self.holes else { return Ok(()) };
+        InputError::require(
+            holes.diameter > 0.0 && holes.diameter < self.width,
+            "hole_diameter",
+            holes.diameter,
+            "above 0 and below the width of the bearing",
+        )?;
+        require_pressure(holes.pressure)?;
+        require_angles("hole_angles", holes.angles)?;
+        let [start, end] = supply.ends;
+        let mut own = supply.feeds.iter().take(supply.holes);
+        if own.any(|hole| hole.x[0] <= start || hole.x[1] >= end) {
+            let reason = if self.grooves.is_some() {
+                "a hole lies in the first groove; leave it out, or another angle"
+            } else {
+                "a hole lies at the widest gap, where the film begins at ambient pressure; another angle, or a groove"
+            };
+            return Err(of_angles("hole_angles", holes.angles, reason));
+        }
+        Ok(())
+    }
+}
+
+/// Error for a supply pressure below ambient.
+fn require_pressure(pressure: f64) -> Result<(), InputError> {
+    InputError::require(
+        pressure.is_finite() && pressure >= 0.0,
+        "supply_pressure",
+        pressure,
+        "finite and at least 0: it is above ambient",
+    )
+}
+
+/// Error for angles that are absent or not finite.
+fn require_angles(field: &str, angles: &[f64]) -> Result<(), InputError> {
+    if angles.is_empty() || !angles.iter().all(|angle| angle.is_finite()) {
+        let reason = "must be one or more finite angles from the load, in the direction of rotation";
+        return Err(of_angles(field, angles, reason));
+    }
+    Ok(())
+}
+
+fn of_angles(field: &str, angles: &[f64], reason: &str) -> InputError {
+    InputError::Conflict { field: format!("{field} = {angles:?} rad"), reason: reason.to_owned() }
+}
