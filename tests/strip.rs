@@ -351,7 +351,7 @@ fn smooth_strip_has_the_results_of_the_line_per_metre() {
         assert_eq!(speed > 1.0, solutions[1].pressure.load_outside > 0.0, "the box cuts the inlet");
         let text = solutions[1].to_string();
         assert!(
-            text.contains(" N/m, half-width") && text.contains("m^2/s") && !text.contains("500000"),
+            text.contains("N/m, half-width") && text.contains("m^2/s") && !text.contains("500000"),
             "{text}"
         );
     }

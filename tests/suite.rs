@@ -26,6 +26,7 @@ mod elements;
 mod engineering_outputs;
 mod ensemble;
 mod exact_laws;
+mod fed_and_elastic_bearings;
 mod film_regimes;
 mod flat_contact;
 mod flooded_inlets;

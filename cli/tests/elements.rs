@@ -64,9 +64,41 @@ fn bearings_have_their_inner_geometry_and_source() {
     close(&roller["hertz"]["force"], 5.0 * 1000.0 / 14.0 / 9.6e-3, 1e-5);
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
-    assert_refused(&["init", "--bearing", "6206", text(&path)], &["6206", "nearest first: 6205, "]);
-    assert_refused(&["init", "--bearing", "NU210", text(&path)], &["nearest first: NU209"]);
+    assert_refused(&["init", "--bearing", "7208", text(&path)], &["7208", "the nearest: 6208, "]);
+    assert_refused(&["init", "--bearing", "NU2210", text(&path)], &["the nearest: NU210"]);
     assert!(!path.exists());
+}
+
+/// Of a bearing without published geometry the scene says that it is an estimate. 6206 has 9 balls of 9.525 mm on 46 mm.
+#[test]
+fn estimated_bearings_say_so() {
+    let (scene, ball) = solved(&["--bearing", "6206-2RS", "--load", "2 kN"]);
+    close(&ball["hertz"]["force"], 5.0 * 2000.0 / 9.0, 1e-5);
+    for part in ["ESTIMATE", "ISO 15, 30 and 62 mm", "pitch circle 46 mm, 9 elements of 9.6 mm"] {
+        assert!(scene.contains(part), "{part}: {scene}");
+    }
+    let (scene, roller) = solved(&["--bearing", "NU205", "--load", "2 kN"]);
+    assert!(
+        scene.contains("proportions of NU209") && roller["hertz"]["force"].as_f64().unwrap() > 0.0,
+        "{scene}"
+    );
+}
+
+/// A rough roller is a strip, on which asperities carry load where lambda is low.
+#[test]
+fn rough_roller_is_a_strip() {
+    let rough =
+        ["--roller", "--radius", "3 mm", "--load", "60 kN/m", "--speed", "0.3 m/s", "--roughness", "0.2 um"];
+    let (scene, roller) = solved(&[rough.as_slice(), &["--length", "30 um"]].concat());
+    assert!(scene.contains("across = \"periodic\"") && scene.contains("[plastic]"), "{scene}");
+    assert!(roller["film"]["lambda"].as_f64().unwrap() < 1.0, "{roller}");
+    assert!(roller["contact"]["load_ratio"].as_f64().unwrap() > 0.01, "{roller}");
+    let warned =
+        roller["warnings"].as_array().unwrap().iter().any(|warning| warning["field"] == "contact.load_ratio");
+    assert!(!warned, "{roller}");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    assert_refused(&["init", "--roller", "--roughness", "0.2 um", text(&path)], &["--length", "missing"]);
 }
 
 #[test]

@@ -272,13 +272,13 @@ fn strip_is_solved_and_checked_per_metre() {
         "{solved:?} {json:?} {checked:?}"
     );
     let printed = String::from_utf8(solved.stdout).unwrap();
-    for part in ["3.0700e5 N/m, half-width", "m^2/s", "% of the area plastic", "on 64 x 32 nodes"] {
+    for part in ["307.00 kN/m, half-width", "mm^2/s", "% of the area plastic", "on 64 x 32 nodes"] {
         assert!(printed.contains(part), "{part}: {printed}");
     }
     assert!(!printed.contains("500000") && !printed.contains("m^3/s"), "{printed}");
     close(number(&json_of(&json), "/hertz/force"), 307e3, 1e-12);
     let text = String::from_utf8(checked.stdout).unwrap();
-    assert!(text.contains("3.0700e5 N/m, half-width") && text.contains("modelled   strip"), "{text}");
+    assert!(text.contains("307.00 kN/m, half-width") && text.contains("modelled   strip"), "{text}");
     assert!(text.contains("run        no: grid.across"), "{text}");
 }
 

@@ -26,6 +26,8 @@ pub use film::FilmThickness;
 pub use roughness::{MeanContact, MeanRoughness};
 pub use solution::GivenFilmSolution;
 
+use std::f64::consts::PI;
+
 use super::ReynoldsError;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -127,6 +129,9 @@ pub struct GivenFilm<'a> {
     /// Distance from the sides along the edges across x, over which the pressures of these edges fall linearly to those of
     /// the sides \[m\].
     pub lands: f64,
+    /// Diameter of a round hole in the middle of the edges across x \[m\]: beside it their pressure falls to that of the sides as in a film of
+    /// uniform thickness, with `ln tan(pi |y|/(2 B))` at the distance y from its middle; 0 without one.
+    pub end_hole: f64,
 }
 
 impl<'a> GivenFilm<'a> {
@@ -143,6 +148,7 @@ impl<'a> GivenFilm<'a> {
             feeds: &[],
             roughness: None,
             lands: 0.0,
+            end_hole: 0.0,
         }
     }
 }
@@ -155,6 +161,7 @@ with_fields!(<'a> GivenFilm<'a> {
     with_feeds feeds: &'a [Feed],
     with_roughness roughness: Option<MeanRoughness>,
     with_lands lands: f64,
+    with_end_hole end_hole: f64,
 });
 
 impl GivenFilm<'_> {
@@ -195,6 +202,11 @@ impl GivenFilm<'_> {
         let north = grid.size_y() - south;
         let (distance, side) = if south < north { (south, SOUTH) } else { (north, NORTH) };
         let (whole, side) = (self.edge_pressures[edge], self.edge_pressures[side]);
+        let from_middle = 0.5 * grid.size_y() - distance;
+        if self.end_hole > 0.0 && from_middle > 0.5 * self.end_hole {
+            let fall = |offset: f64| (0.5 * PI * offset / grid.size_y()).tan().ln();
+            return side + (whole - side) * fall(from_middle) / fall(0.5 * self.end_hole);
+        }
         if distance < self.lands { side + (whole - side) * distance / self.lands } else { whole }
     }
 
@@ -223,6 +235,12 @@ impl GivenFilm<'_> {
         self.validate_roughness()?;
         InputError::require_non_negative("lands", self.lands)?;
         let grid = self.film.grid();
+        InputError::require(
+            self.end_hole >= 0.0 && self.end_hole < grid.size_y(),
+            "end_hole",
+            self.end_hole,
+            "at least 0 and below the width of the film",
+        )?;
         let mut feeds = self.feeds.iter().enumerate();
         feeds.try_for_each(|(index, feed)| feed.validate(index, grid, self.cavitation_pressure))
     }

@@ -31,6 +31,8 @@ const LOAD_TOLERANCE: f64 = 1e-6;
 const MOST_SOLVES: usize = 60;
 /// Change of the attitude angle \[rad\] below which grooves keep their position to the line of centers.
 const ATTITUDE_TOLERANCE: f64 = 1e-3;
+/// Part of the way to either end within which the eccentricity moves with the angle of the feeds.
+const NEAR: f64 = 0.03;
 /// First attitude angle \[rad\], that of moderate loads.
 const FIRST_ATTITUDE: f64 = 0.8;
 /// Share of the change of the attitude angle that a step takes.
@@ -41,7 +43,7 @@ const MOST_POSITIONS: usize = 20;
 /// A journal that turns in a bush of finite width, with the film `h = c (1 + e cos phi)`.
 ///
 /// The angle `phi` begins where the gap is widest, in the direction of rotation. There the film is supplied at ambient
-/// pressure, unless the bush has [`Grooves`]; [`Holes`] add their flow; at both sides pressure is ambient too. The film cavitates at ambient pressure with conservation of mass
+/// pressure, unless the bush has [`Grooves`] or [`Holes`]; at both sides pressure is ambient too. The film cavitates at ambient pressure with conservation of mass
 /// ([`GivenFilm`]). Axes are parallel, the state is steady.
 ///
 /// Short bearings (Ocvirk): `W = eta omega R L^3/(4 c^2) e/(1 - e^2)^2 sqrt(pi^2 (1 - e^2) + 16 e^2)`.
@@ -168,7 +170,17 @@ impl JournalBearing<'_> {
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
         InputError::require_positive("load", load)?;
-        self.with_settled_load(|attitude| self.equilibrium_at(load, attitude, interrupted))
+        self.with_settled_load(|attitude, last| {
+            let near = last.filter(|_| self.bore.is_none()).map(|last| last.eccentricity);
+            match near
+                .map(|near| self.equilibrium_near(load, attitude, near, interrupted))
+                .transpose()?
+                .flatten()
+            {
+                Some(solution) => Ok(solution),
+                None => self.equilibrium_at(load, attitude, interrupted),
+            }
+        })
     }
 
     /// The equilibrium under `load` with grooves at the `attitude` angle.
@@ -182,7 +194,7 @@ impl JournalBearing<'_> {
             return bore::equilibrium(self, bore, [load, attitude], interrupted);
         }
         let most = self.most_eccentric();
-        let mut solution = self.solve_at(most, attitude, interrupted)?;
+        let solution = self.solve_at(most, attitude, interrupted)?;
         if solution.load < load {
             return Err(InputError::Conflict {
                 field: format!("load = {load} N"),
@@ -196,7 +208,18 @@ impl JournalBearing<'_> {
         }
         // The load is zero at the eccentricity zero and grows with it, steeply near one: where false position is slow,
         // halving brackets the root.
-        let mut bracket = FalsePosition::new([0.0, -load], [most, solution.load - load], None);
+        let bracket = FalsePosition::new([0.0, -load], [most, solution.load - load], None);
+        self.narrowed(bracket, (load, attitude), solution, interrupted)
+    }
+
+    /// The equilibrium at an eccentricity in `bracket`, from a `solution` at one of its ends.
+    fn narrowed(
+        &self,
+        mut bracket: FalsePosition,
+        (load, attitude): (f64, f64),
+        mut solution: JournalSolution,
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<JournalSolution, ReynoldsError> {
         for _ in 0..MOST_SOLVES {
             if (solution.load / load - 1.0).abs() < LOAD_TOLERANCE {
                 break;
@@ -206,6 +229,27 @@ impl JournalBearing<'_> {
             bracket.add(eccentricity, solution.load - load);
         }
         Ok(solution)
+    }
+
+    /// The equilibrium close to the eccentricity `near`; `None` if it is not there.
+    fn equilibrium_near(
+        &self,
+        load: f64,
+        attitude: f64,
+        near: f64,
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<Option<JournalSolution>, ReynoldsError> {
+        let here = self.solve_at(near, attitude, interrupted)?;
+        let excess = here.load - load;
+        let beyond = if excess > 0.0 { near - NEAR * near } else { near + NEAR * (1.0 - near) };
+        let other = self.solve_at(beyond, attitude, interrupted)?;
+        if excess * (other.load - load) > 0.0 {
+            return Ok(None);
+        }
+        let mut ends = [[near, excess], [beyond, other.load - load]];
+        ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let bracket = FalsePosition::new(ends[0], ends[1], None);
+        self.narrowed(bracket, (load, attitude), here, interrupted).map(Some)
     }
 
     /// Largest eccentricity of an equilibrium.
@@ -220,22 +264,25 @@ impl JournalBearing<'_> {
         eccentricity: f64,
         interrupted: &dyn Fn() -> bool,
     ) -> Result<JournalSolution, ReynoldsError> {
-        self.with_settled_load(|attitude| self.solve_at(eccentricity, attitude, interrupted))
+        self.with_settled_load(|attitude, _| self.solve_at(eccentricity, attitude, interrupted))
     }
 
-    /// The solution of `solve` at the attitude angle that it has itself: grooves have fixed angles to the load.
+    /// The solution of `solve` at the attitude angle that it has itself: feeds have fixed angles to the load. `solve` takes the angle and the
+    /// last solution.
     fn with_settled_load(
         &self,
-        solve: impl Fn(f64) -> Result<JournalSolution, ReynoldsError>,
+        solve: impl Fn(f64, Option<&JournalSolution>) -> Result<JournalSolution, ReynoldsError>,
     ) -> Result<JournalSolution, ReynoldsError> {
-        let mut attitude = FIRST_ATTITUDE;
-        for _ in 0..MOST_POSITIONS {
-            let solution = solve(attitude)?;
+        let (mut attitude, mut last) = (FIRST_ATTITUDE, None);
+        for position in 0..MOST_POSITIONS {
+            let solution = solve(attitude, last.as_ref())?;
             let change = solution.attitude - attitude;
             if !self.is_fed() || solution.eccentricity == 0.0 || change.abs() < ATTITUDE_TOLERANCE {
                 return Ok(solution);
             }
-            attitude += DAMPING * change;
+            // The first angle is a guess.
+            attitude += if position == 0 { change } else { DAMPING * change };
+            last = Some(solution);
         }
         Err(InputError::Conflict {
             field: "supply_pressure".to_owned(),
@@ -276,15 +323,17 @@ impl JournalBearing<'_> {
         let grid = self.grid(attitude)?;
         let supply = self.supply(attitude);
         self.validate_holes(&supply)?;
-        let (land, pressure) = (supply.land, supply.groove_pressure);
+        let (land, pressure) = (supply.land, supply.end_pressure);
         let gap = |x: f64| self.clearance * (1.0 + eccentricity * (x / self.radius).cos());
         let film = FilmThickness::from_function(grid, |x, y| {
-            gap(x) + if widening.is_empty() { 0.0 } else { grid.interpolate(widening, x, y).unwrap_or(f64::NAN) }
+            gap(x)
+                + if widening.is_empty() { 0.0 } else { grid.interpolate(widening, x, y).unwrap_or(f64::NAN) }
         })?;
         let speed = self.angular_speed * self.radius;
         let mut solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0])
             .with_edge_pressures([pressure, pressure, 0.0, 0.0])
             .with_lands(land)
+            .with_end_hole(supply.end_hole)
             .with_feeds(&supply.feeds)
             .with_roughness(self.roughness)
             .solve_unless(interrupted)?;
@@ -306,7 +355,9 @@ impl JournalBearing<'_> {
         let load = force[0].hypot(force[1]);
         let psi = self.clearance / self.radius;
         let area = 2.0 * self.width * self.radius;
-        let [hole_flow, grooves_flow] = supply.flows(&solution.feed_flows);
+        let [holes, grooves] = supply.flows(&solution.feed_flows);
+        let at_ends = 2.0 * through_land - solution.edge_flows[0] - solution.edge_flows[1];
+        let begins_at_hole = supply.end_hole > 0.0;
         let least = film.nodes().iter().copied().fold(f64::INFINITY, f64::min);
         Ok(JournalSolution {
             eccentricity,
@@ -320,12 +371,8 @@ impl JournalBearing<'_> {
             attitude: (-self.angular_speed.signum() * force[1]).atan2(force[0]),
             sommerfeld: load * psi * psi / (area * viscosity * self.angular_speed.abs()),
             least_film: if widening.is_empty() { self.clearance * (1.0 - eccentricity) } else { least },
-            groove_flow: if self.grooves.is_some() {
-                grooves_flow - solution.edge_flows[0] - solution.edge_flows[1] + 2.0 * through_land
-            } else {
-                0.0
-            },
-            hole_flow,
+            groove_flow: if self.grooves.is_some() { grooves + at_ends } else { 0.0 },
+            hole_flow: if begins_at_hole { holes + at_ends } else { holes },
             bore_widening: widening.iter().copied().fold(0.0, f64::max),
             film: solution,
         })

@@ -28,7 +28,11 @@ impl fmt::Display for ContactSolution {
             "Hertz      {}, {}; {moes}",
             pressure(hertz.pressure),
             if self.is_line() {
-                format!("{}, half-width {}", scaled(hertz.force, "N/m", &THOUSANDS), length(hertz.half_width_x))
+                format!(
+                    "{}, half-width {}",
+                    scaled(hertz.force, "N/m", &THOUSANDS),
+                    length(hertz.half_width_x)
+                )
             } else {
                 format!(
                     "{}, {} x {}",
@@ -164,7 +168,8 @@ impl ContactSolution {
             return writeln!(f, "flow       {reason}");
         };
         let (factor, unit) = if self.is_line() { (1e6, "mm^2/s") } else { (1e9, "mm^3/s") };
-        let [inflow, outflow] = [flow.inflow, flow.outflow].map(|flow| scaled(factor * flow, unit, &[(1.0, "")]));
+        let [inflow, outflow] =
+            [flow.inflow, flow.outflow].map(|flow| scaled(factor * flow, unit, &[(1.0, "")]));
         writeln!(f, "flow       in {inflow}, out {outflow}, imbalance {:.1e}", flow.imbalance)
     }
 

@@ -176,7 +176,11 @@ impl RigidBearing {
                     .with_cells(self.cells)
                     .with_roughness(self.mean_roughness()?)
                     .with_grooves(grooves)
-                    .with_holes(self.holes.as_ref().map(|spec| Holes::new(&spec.places, spec.diameter, spec.pressure)))
+                    .with_holes(
+                        self.holes
+                            .as_ref()
+                            .map(|spec| Holes::new(&spec.places, spec.diameter, spec.pressure)),
+                    )
                     .with_bore(self.bore);
                 let solved = match position {
                     JournalPosition::Eccentricity(eccentricity) => {

@@ -27,6 +27,8 @@ struct Row {
     tables: Vec<String>,
     /// Keys in the first cell.
     keys: Vec<String>,
+    /// Whether the table lists keys; others list values.
+    lists_keys: bool,
     /// Headings and cells.
     cells: Vec<(String, String)>,
 }
@@ -95,12 +97,14 @@ impl Row {
 /// All tables with their keys, a table a line.
 fn all_tables(rows: &[Row]) -> String {
     let mut lines: Vec<(String, Vec<&str>)> = Vec::new();
-    for row in rows {
+    for row in rows.iter().filter(|row| row.lists_keys) {
         let heading = format!("[{}]", row.tables.join("], ["));
-        let keys = row.keys.iter().map(String::as_str);
-        match lines.iter_mut().find(|(known, _)| *known == heading) {
-            Some((_, list)) => list.extend(keys),
-            None => lines.push((heading, keys.collect())),
+        if lines.iter().all(|(known, _)| *known != heading) {
+            lines.push((heading.clone(), Vec::new()));
+        }
+        for (_, list) in lines.iter_mut().filter(|(known, _)| *known == heading) {
+            let new = row.keys.iter().filter(|key| !list.contains(&key.as_str()));
+            list.extend(new.map(String::as_str).collect::<Vec<_>>());
         }
     }
     let lines = lines.iter().map(|(heading, keys)| format!("{heading} {}", keys.join(", ")));
@@ -131,7 +135,8 @@ fn rows(page: &'static str, content: &str) -> Vec<Row> {
             if !keys.is_empty() && !tables.is_empty() {
                 let named = headings.iter().skip(1).zip(rest);
                 let cells = named.map(|(heading, cell)| (plain(heading), plain(cell))).collect();
-                found.push(Row { page, tables: tables.clone(), keys, cells });
+                let lists_keys = headings.first().is_some_and(|heading: &String| heading == "key");
+                found.push(Row { page, tables: tables.clone(), keys, lists_keys, cells });
             }
         }
         previous_is_row = true;

@@ -207,7 +207,9 @@ impl BearingTable {
         if places.is_none() && self.hole_diameter.is_none() {
             let pad = !matches!(self.kind, BearingKind::Journal);
             return match self.supply_pressure {
-                Some(_) if pad => Err("`supply_pressure` is that of holes; `hole_positions` is missing".to_owned()),
+                Some(_) if pad => {
+                    Err("`supply_pressure` is that of holes; `hole_positions` is missing".to_owned())
+                }
                 _ => Ok(None),
             };
         }

@@ -58,9 +58,11 @@ pub use explain::explain;
 #[cfg(feature = "serde")]
 pub(in crate::sim) use files::read_tables;
 #[cfg(feature = "serde")]
-pub(in crate::sim) use given_film_table::BearingFile;
+pub use given_film::{
+    BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadRelief, RoughnessSpec,
+};
 #[cfg(feature = "serde")]
-pub use given_film::{BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadRelief, RoughnessSpec};
+pub(in crate::sim) use given_film_table::BearingFile;
 pub use grid::GridSpec;
 pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};

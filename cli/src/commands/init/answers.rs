@@ -81,10 +81,20 @@ pub(super) fn answers(
         None if ask => asked("Sliding speed over mean speed", &last, ratio)?,
         None => ratio(last)?,
     };
-    let disc = match (&o.roughness, o.finish, &o.surface) {
+    let disc = match disc(options)? {
+        Some(disc) => disc,
+        None if ask => asked(DISC, SMOOTH, disc_of_answer)?,
+        None => Disc::Smooth,
+    };
+    Ok(Answers { radius, load, eta0, alpha, speed, slide_roll_ratio, disc })
+}
+
+/// The disc that the options describe; `None` without such an option.
+pub(super) fn disc(options: &Options) -> Result<Option<Disc>, Box<dyn Error>> {
+    Ok(Some(match (&options.roughness, options.finish, &options.surface) {
         (Some(rq), ..) => {
             let rq = height(rq)?;
-            match &o.length {
+            match &options.length {
                 _ if rq.value == 0.0 => Disc::Smooth,
                 Some(length) => Disc::Random(rq, correlation_length(length)?),
                 None => {
@@ -98,10 +108,8 @@ pub(super) fn answers(
         }
         (None, Some(finish), _) => Disc::Finish(finish),
         (None, None, Some(file)) => Disc::Measured(Measured::read(file)?),
-        (None, None, None) if ask => asked(DISC, SMOOTH, disc_of_answer)?,
-        (None, None, None) => Disc::Smooth,
-    };
-    Ok(Answers { radius, load, eta0, alpha, speed, slide_roll_ratio, disc })
+        (None, None, None) => return Ok(None),
+    }))
 }
 
 /// The disc that an answer describes; of a height the correlation length is asked for.

@@ -7,9 +7,9 @@ use super::Warning;
 use super::quantity::{
     ACTIVATION, ACTIVATION_VOLUME, BARRIER, COMPRESSIBILITY, CONTACT_FILM, DEPTH, FILM, FORCE, FRICTION,
     HARDENING, HARDNESS, HEAT_CONDUCTIVITY, HEAT_DIFFUSIVITY, HEIGHT, HERTZ_PRESSURE, LAYER, LONGER_RADIUS,
-    MODULUS, OIL_CONDUCTIVITY, OIL_HEAT_CAPACITY, OIL_TEMPERATURE, PRESSURE_VISCOSITY, Plausible, RADIUS, REMOVAL,
-    ROELANDS_INDEX, ROELANDS_PRESSURE, SLIDE_ROLL_RATIO, SPEED, STRENGTH, STRESS, STRESS_RATIO, TEMPERATURE,
-    TOLERANCE, TRACK_RADIUS, TRIBOFILM, VISCOSITY, WEAR, WEAR_PER_ENERGY, rq_range,
+    MODULUS, OIL_CONDUCTIVITY, OIL_HEAT_CAPACITY, OIL_TEMPERATURE, PRESSURE_VISCOSITY, Plausible, RADIUS,
+    REMOVAL, ROELANDS_INDEX, ROELANDS_PRESSURE, SLIDE_ROLL_RATIO, SPEED, STRENGTH, STRESS, STRESS_RATIO,
+    TEMPERATURE, TOLERANCE, TRACK_RADIUS, TRIBOFILM, VISCOSITY, WEAR, WEAR_PER_ENERGY, rq_range,
 };
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
@@ -144,7 +144,11 @@ fn conditions(scene: &Scene) -> Vec<Entry> {
         entry("motion.entrainment_speed", motion.entrainment_speed, SPEED),
         entry("motion.slide_roll_ratio", motion.slide_roll_ratio, SLIDE_ROLL_RATIO),
         entry("motion.spin_radius", motion.spin_radius.map(f64::abs), LONGER_RADIUS),
-        entry("thermal.bulk_temperature", scene.thermal.bulk_temperature, temperature(scene.lubricant.as_ref())),
+        entry(
+            "thermal.bulk_temperature",
+            scene.thermal.bulk_temperature,
+            temperature(scene.lubricant.as_ref()),
+        ),
     ];
     for (key, schedule, range) in [
         ("load", &schedule.load, FORCE),

@@ -15,6 +15,8 @@ const LARGEST_PRESSURE: f64 = 2.0;
 const LARGEST_RISE: f64 = 100.0;
 /// Largest cell width over inlet length: above it central films of smooth contacts have errors of a tenth or more.
 const WIDEST_CELL: f64 = 2.0;
+/// Cell width over inlet length above which the film is not resolved at all.
+const UNRESOLVED_CELL: f64 = 10.0;
 /// Largest central film over the smaller reduced radius. Where the gap of paraboloids is two films it then differs by 2 % from
 /// that of circles.
 const THICKEST_FILM: f64 = 0.02;
@@ -146,9 +148,10 @@ fn coarse_inlet(scene: &Scene, seen: &SolvedContact<'_>) -> Option<Warning> {
             "film.central",
             central,
             format!(
-                "cells of {} m are wider than twice the inlet that makes such a film, {} m: it may err by a tenth to a half",
+                "cells of {} m are wider than twice the inlet that makes such a film, {} m: it may err by {}",
                 short(dx),
-                short(length)
+                short(length),
+                if dx > UNRESOLVED_CELL * length { "a half and more" } else { "a tenth to a half" }
             ),
             "more cells, or solver.estimate or solver.accuracy, which tell the error".to_owned(),
         )

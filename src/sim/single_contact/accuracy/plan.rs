@@ -96,7 +96,9 @@ impl Plan {
             return Err(InputError::Conflict {
                 field: "grid.accuracy".to_owned(),
                 reason: format!(
-                    "the film needs {nodes:.2e} nodes for it, more than {MAX_NODES}: allow a larger error"
+                    "the film needs {nodes:.2e} nodes for it, more than {MAX_NODES}: allow an error {} times as large, or give nx, ny, x and y",
+                    // The error is of second order in the width of the cells.
+                    (nodes / MAX_NODES as f64).powf(if is_line { 2.0 } else { 1.0 }).ceil()
                 ),
             });
         }

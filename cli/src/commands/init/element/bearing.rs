@@ -10,8 +10,8 @@ use std::f64::consts::TAU;
 use stribeck::analytic::HertzPoint;
 use stribeck::units::Dimension;
 
-use super::bearing_list::{Bearing, Race, find};
 use super::super::{Options as Init, plain, rounded};
+use super::bearing_list::{Bearing, Race, find};
 use super::{Element, LINE_GRID, quantity, rotation, steel};
 
 /// Load of the heaviest loaded element, in radial loads over the number of elements.

@@ -96,7 +96,14 @@ pub(super) fn find(given: &str) -> Result<Bearing, String> {
     let name: String = given.chars().filter(|c| !c.is_whitespace()).collect::<String>().to_uppercase();
     let published = PUBLISHED.iter().find(|bearing| is_named(&name, bearing.name));
     if let Some(&Published { name, elements, diameter, pitch, race, source }) = published {
-        return Ok(Bearing { name: name.to_owned(), elements, diameter, pitch, race, source: source.to_owned() });
+        return Ok(Bearing {
+            name: name.to_owned(),
+            elements,
+            diameter,
+            pitch,
+            race,
+            source: source.to_owned(),
+        });
     }
     estimates().find(|bearing| is_named(&name, &bearing.name)).ok_or_else(|| unknown(given, &name))
 }
@@ -106,7 +113,8 @@ fn is_named(name: &str, known: &str) -> bool {
     let suffix = name.strip_prefix(known);
     let is_ball = !known.starts_with('N');
     suffix.is_some_and(|rest| {
-        rest.is_empty() || is_ball && ["-", "/", "Z", "RS", "2", "C"].iter().any(|start| rest.starts_with(start))
+        rest.is_empty()
+            || is_ball && ["-", "/", "Z", "RS", "2", "C"].iter().any(|start| rest.starts_with(start))
     })
 }
 
@@ -115,9 +123,7 @@ fn estimates() -> impl Iterator<Item = Bearing> {
     SERIES.iter().flat_map(|(series, outsides)| {
         let first = if series.starts_with('N') { FIRST_ROLLER } else { 0 };
         let sizes = BORES.into_iter().zip(outsides.iter().copied()).enumerate().skip(first);
-        sizes.map(move |(code, size)| {
-            estimate(format!("{series}{code:02}"), size)
-        })
+        sizes.map(move |(code, size)| estimate(format!("{series}{code:02}"), size))
     })
 }
 
@@ -133,7 +139,11 @@ fn estimate(name: String, (bore, outside): (f64, f64)) -> Bearing {
     } else {
         let step = 2.0 * (diameter / pitch).asin();
         let race = Race::Groove(USUAL_GROOVE);
-        ((1.0 + FILLING.min(TAU) / step).round(), race, "balls of .3 of the difference, as many as fill 187 degrees, groove radius .52 of the ball")
+        (
+            (1.0 + FILLING.min(TAU) / step).round(),
+            race,
+            "balls of .3 of the difference, as many as fill 187 degrees, groove radius .52 of the ball",
+        )
     };
     let source = format!(
         "ESTIMATE from the boundary dimensions of ISO 15, {bore} and {outside} mm: pitch circle {pitch} mm, {elements} elements of {diameter} mm\n\
@@ -179,7 +189,12 @@ mod tests {
     fn estimates_are_near_published_bearings() {
         for bearing in &PUBLISHED {
             let near = estimates().find(|estimate| estimate.name == bearing.name).unwrap();
-            assert!((near.diameter / bearing.diameter - 1.0).abs() < 0.06, "{}: {}", bearing.name, near.diameter);
+            assert!(
+                (near.diameter / bearing.diameter - 1.0).abs() < 0.06,
+                "{}: {}",
+                bearing.name,
+                near.diameter
+            );
             assert!((near.pitch / bearing.pitch - 1.0).abs() < 0.02, "{}: {}", bearing.name, near.pitch);
             assert!((near.elements - bearing.elements).abs() <= 1.0, "{}: {}", bearing.name, near.elements);
         }
@@ -190,7 +205,9 @@ mod tests {
         assert_eq!(find("6205-2RS").map(|bearing| bearing.elements).ok(), Some(9.0));
         assert_eq!(find("6305 ZZ").map(|bearing| bearing.elements).ok(), Some(7.0));
         assert_eq!(find("nu 205").map(|bearing| bearing.name).ok().as_deref(), Some("NU205"));
-        for (name, nearest) in [("7208", "6208"), ("22208", "6208"), ("NU2208", "NU208"), ("62055", "62"), ("abc", "60")] {
+        for (name, nearest) in
+            [("7208", "6208"), ("22208", "6208"), ("NU2208", "NU208"), ("62055", "62"), ("abc", "60")]
+        {
             let error = find(name).err().unwrap();
             assert!(error.contains(&format!("nearest: {nearest}")) || error.contains(nearest), "{error}");
         }

@@ -3,6 +3,7 @@
 mod bearing;
 mod bearing_list;
 mod rig;
+mod roller;
 
 use std::error::Error;
 
@@ -69,8 +70,12 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
         require_used(options, "--bearing", &["--rotation", "--slide-roll-ratio", OIL])?;
         text(options, &bearing::element(options, name)?)?
     } else if element.roller {
-        require_used(options, "--roller", &["--radius", "--speed", "--slide-roll-ratio", OIL])?;
-        text(options, &roller(options)?)?
+        require_used(
+            options,
+            "--roller",
+            &["--radius", "--speed", "--slide-roll-ratio", "--roughness", "--finish", OIL],
+        )?;
+        text(options, &roller::element(options)?)?
     } else if element.journal {
         require_used(options, "--journal", &["--rotation", OIL])?;
         journal(options)?
@@ -186,36 +191,6 @@ fn round_grid([radius, force]: [f64; 2], modulus: f64, is_dry: bool) -> Result<S
 fn steel() -> f64 {
     let (modulus, poisson) = STEEL;
     modulus / (1.0 - poisson * poisson)
-}
-
-/// A steel roller on a steel flat.
-fn roller(options: &Init) -> Result<Element, Box<dyn Error>> {
-    let (radius, _) = quantity(Dimension::Length, "--radius", options.radius.as_ref(), "10 mm")?;
-    let (speed, _) = quantity(Dimension::Speed, "--speed", options.speed.as_ref(), "1 m/s")?;
-    let load = match &options.load {
-        Some(_) => {
-            let (load, _) = quantity(Dimension::ForcePerLength, "--load", options.load.as_ref(), "")?;
-            format!("force = {load} # per length of the roller\n")
-        }
-        None => "hertz_pressure = \"1 GPa\" # or force = \"200 kN/m\"\n".to_owned(),
-    };
-    Ok(Element {
-        title: "# A steel roller on a steel flat: a line contact, loads and flows are per metre of length.\n"
-            .to_owned(),
-        form: format!(
-            "kind = \"cylinder\"\nradius = {radius} # of two rollers: radii = [\"10 mm\", \"20 mm\"]\n"
-        ),
-        materials: ["steel"; 2],
-        load,
-        motion: format!(
-            "entrainment_speed = {speed}\nslide_roll_ratio = {:?}\n",
-            options.slide_roll_ratio.unwrap_or(0.05)
-        ),
-        boundary: 0.115,
-        bearing: String::new(),
-        is_dry: false,
-        grid: LINE_GRID.to_owned(),
-    })
 }
 
 /// A journal bearing.
