@@ -60,6 +60,26 @@ fn film_of_a_light_ball_is_the_flooded_one_in_any_box() {
     }
 }
 
+/// Rigid cylinders, `h = 4.9 eta u R/W` (Martin 1916, films that rupture where pressure and its slope are zero), in boxes far shorter than
+/// their film length `(2 R h)^(1/2)`, up to 130 Hertz half-widths.
+#[test]
+fn film_of_a_rigid_line_is_the_flooded_one_in_any_box() {
+    let mut scene = ball(1.0, 1.0);
+    scene.form = Form::Cylinder { radius: 50e-3 };
+    scene.load = Load::force(2e3);
+    scene.lubricant = Some(LubricantSpec::roelands(0.1, 0.6).with_alpha(Some(1e-10)));
+    for speed in [1.0, 5.0, 10.0, 20.0] {
+        scene.motion = Motion::new(speed, 0.0);
+        let film = 4.896 * 0.1 * speed * 50e-3 / 2e3;
+        let given = solved(&in_box(&scene, -4.0, 0.0));
+        let chosen = solved(&Scene { grid: GridSpec::Accuracy { accuracy: 0.02 }, ..scene.clone() });
+        for solution in [given, chosen] {
+            let error = solution.film.central / film - 1.0;
+            assert!(error.abs() < 0.03, "{speed} m/s: {:e} {film:e}", solution.film.central);
+        }
+    }
+}
+
 #[test]
 fn accuracy_of_a_light_ball_counts_the_box() {
     let mut scene = ball(0.765, 0.315);

@@ -23,7 +23,8 @@ __all__ = ["GivenFilm", "RigidBearing", "given_film", "rigid_bearing"]
 class RigidBearing(Numbers):
     """A journal bearing or a pad of a scene file. ``load`` [N], ``least_film`` [m], ``pressure_max`` [Pa], ``friction_moving`` and
     ``friction_resting`` [N], ``friction_coefficient``, ``cavitated_shear`` [N], ``side_flow`` and ``edge_flows`` [m^3/s], ``power_loss`` [W], ``eta0`` [Pa s],
-    ``temperature`` [K], with a heat balance ``supply_temperature``, ``outlet_temperature`` [K] and ``carried_heat`` [W], with grooves ``groove_flow`` [m^3/s],
+    ``temperature`` [K], with a heat balance ``supply_temperature``, ``outlet_temperature`` [K] and ``carried_heat`` [W], with grooves ``groove_flow``, with holes ``hole_flow`` [m^3/s],
+    with an elastic bore ``bore_widening`` [m],
     with roughness ``contact_share``, ``contact_area`` [m^2], ``contact_friction`` [N] and ``film_over_rq``,
     ``status``; of a journal ``eccentricity``, ``attitude`` [rad], ``sommerfeld`` and ``force`` [N], towards the widest gap and across."""
 
@@ -47,6 +48,8 @@ class RigidBearing(Numbers):
     side_flow: float
     edge_flows: list[float]
     groove_flow: float | None
+    hole_flow: float | None
+    bore_widening: float | None
     power_loss: float
     eta0: float
     temperature: float

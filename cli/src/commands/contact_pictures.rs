@@ -8,6 +8,9 @@ use stribeck::sim::HertzContact;
 
 use crate::picture::{BLUE, Chart, GREEN, Line, Map, Maps, Panel, Scale, VERMILION, extremes, inner};
 
+/// Hertz's pressure over the largest one, above which it is not drawn.
+const LARGEST_HERTZ: f64 = 3.0;
+
 /// A contact as it is drawn.
 pub(crate) struct Seen<'a> {
     pub(crate) title: String,
@@ -19,7 +22,7 @@ pub(crate) struct Seen<'a> {
     pub(crate) tribofilm: Option<&'a [f64]>,
 }
 
-/// Film, pressure, content of the gap and tribofilm from above.
+/// Film, pressure, film fraction and tribofilm from above.
 pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
     let state = seen.state;
     let map = |title: &str, values: Cow<'a, [f64]>, factor, highest: f64, outline| Map {
@@ -32,20 +35,21 @@ pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
     let (most, thickest) = (round_up(1e9 * thick_film(seen)), 1e9 * extremes(state.film.iter().copied()).1);
     let cut = if thickest > most { format!(", yellow: {most} and more") } else { String::new() };
     let film_name = format!("{}{cut}", film_name(seen));
-    let largest_pressure = extremes(state.pressure.iter().copied()).1;
-    let pressure_scale = round_up(1e-9 * largest_pressure);
+    let (unit, factor) = pressure_unit(seen);
+    let pressure_scale = round_up(factor * largest_pressure(seen));
     let mut maps = vec![
         map(&film_name, (&state.film).into(), 1e9, most, true),
-        map("pressure (GPa)", (&state.pressure).into(), 1e-9, pressure_scale, true),
+        map(&format!("pressure ({unit})"), (&state.pressure).into(), factor, pressure_scale, true),
     ];
     if seen.lubricated {
         if state.pressure.iter().zip(&state.fluid_pressure).any(|(all, fluid)| all > fluid) {
             let solid = (0..state.pressure.len()).map(|k| state.solid_pressure(k)).collect::<Vec<_>>();
             let fluid = (&state.fluid_pressure).into();
-            maps.push(map("pressure of the fluid (GPa)", fluid, 1e-9, pressure_scale, true));
-            maps.push(map("pressure of the solids (GPa)", solid.into(), 1e-9, pressure_scale, true));
+            let of = |body: &str| format!("pressure of the {body} ({unit})");
+            maps.push(map(&of("fluid"), fluid, factor, pressure_scale, true));
+            maps.push(map(&of("solids"), solid.into(), factor, pressure_scale, true));
         }
-        maps.push(map("content of the gap, theta", (&state.theta).into(), 1.0, 1.0, true));
+        maps.push(map("film fraction, theta", (&state.theta).into(), 1.0, 1.0, true));
     }
     if let Some(film) = seen.tribofilm {
         let thickest = extremes(film.iter().copied()).1;
@@ -72,11 +76,15 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
             .collect(),
         bands: Vec::new(),
     };
-    let mut pressures = vec![line("all", VERMILION, &state.pressure, 1e-9)];
+    let (unit, factor) = pressure_unit(seen);
+    let mut pressures = vec![line("all", VERMILION, &state.pressure, factor)];
     if seen.lubricated {
-        pressures.push(line("fluid", BLUE, &state.fluid_pressure, 1e-9));
+        pressures.push(line("fluid", BLUE, &state.fluid_pressure, factor));
     }
-    pressures.push(hertz_line(seen, row, columns.clone()));
+    // Bodies that hardly deflect have no Hertz contact, whose pressure would be all that the panel shows.
+    if seen.hertz.pressure < LARGEST_HERTZ * largest_pressure(seen) {
+        pressures.push(hertz_line(seen, row, columns.clone(), factor));
+    }
     let highest = 2e9 * thick_film(seen);
     let mut film = line("", BLUE, &state.film, 1e9);
     if !seen.lubricated {
@@ -85,7 +93,7 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
     }
     let cut = if film.points.iter().any(|(_, film)| *film > highest) { ", cut off" } else { "" };
     let mut panels = vec![
-        Panel::new("pressure (GPa)", pressures),
+        Panel::new(format!("pressure ({unit})"), pressures),
         Panel { highest: Some(highest), ..Panel::new(format!("{}{cut}", film_name(seen)), vec![film]) },
     ];
     if seen.lubricated {
@@ -96,12 +104,21 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
 }
 
 /// Hertz's pressure of the smooth dry contact in the nodes of a row.
-fn hertz_line(seen: &Seen<'_>, row: usize, columns: std::ops::Range<usize>) -> Line {
+fn hertz_line(seen: &Seen<'_>, row: usize, columns: std::ops::Range<usize>, factor: f64) -> Line {
     let (grid, hertz) = (&seen.grid, &seen.hertz);
     let y = if grid.is_strip() { 0.0 } else { grid.y(row) };
-    let at = |x: f64| 1e-9 * hertz.pressure * (1.0 - hertz.radius_squared(x, y)).max(0.0).sqrt();
+    let at = |x: f64| factor * hertz.pressure * (1.0 - hertz.radius_squared(x, y)).max(0.0).sqrt();
     let points = columns.map(|i| (1e6 * grid.x(i), at(grid.x(i)))).collect();
     Line { name: "Hertz", colour: GREEN, points, bands: Vec::new() }
+}
+
+fn largest_pressure(seen: &Seen<'_>) -> f64 {
+    extremes(seen.state.pressure.iter().copied()).1
+}
+
+/// Unit of pressures by their size, and its factor.
+fn pressure_unit(seen: &Seen<'_>) -> (&'static str, f64) {
+    if largest_pressure(seen) < 1e8 { ("MPa", 1e-6) } else { ("GPa", 1e-9) }
 }
 
 /// Name of the film.

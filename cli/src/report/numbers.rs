@@ -60,7 +60,7 @@ const CONTACT: [Number<'static>; 50] = [
     number("Film over Rq", "film.lambda", "", 1.0),
     number("Least film over Rq", "film.minimum_lambda", "", 1.0),
     number("Film over Rq by formula", "film.formula_lambda", "", 1.0),
-    number("Central film over that by formula", "film.formula_ratio", "", 1.0),
+    number("Film over that by formula", "film.formula_ratio", "", 1.0),
     number("Central film over the flooded one", "starvation.film_ratio", "", 1.0),
     number("Central film if flooded", "starvation.flooded_film", "nm", 1e9),
     number("Oil in the gap of the contact", "film.fluid_fraction", "%", 100.0),

@@ -1,8 +1,8 @@
 //! Error of the film by the edges of the box, relative to a flooded inlet.
 //!
 //! A flooded film has the reduced pressure `q` at an edge; ambient pressure there lacks it. The contact begins at the
-//! reduced pressure `q_c = 1/(alpha + 1/(0.35 p_H))`, where the oil stiffens or the bodies deflect. The film is then too
-//! thin by at most `0.7 q/q_c` of its thickness, summed over the inlet edge and the sides. The load `W_o` outside makes
+//! reduced pressure `q_c = 1/(alpha + 1/(0.35 p_H))`, where the oil stiffens or the bodies deflect, or at the largest one between rigid
+//! bodies, if that is lower. The film is then too thin by at most `0.7 q/q_c` of its thickness, summed over the inlet edge and the sides. The load `W_o` outside makes
 //! it thinner by up to `c W_o/W` with `c = H^2`, `H = h R/a^2`, between 0.3 and, for nearly rigid bodies, 1.5. For a
 //! point contact `W_o/W = 8.8 / (M^(4/3) X)`, with the distance `X` of the inlet edge in half-widths.
 
@@ -27,6 +27,8 @@ const RIGID_FILM: f64 = 4.0;
 const DEFLECTING: f64 = 0.35;
 /// Position of the largest pressure at a side, upstream, in half-widths.
 const SIDE_AT: f64 = -0.5;
+/// Positions upstream in film lengths, among which the pressure between rigid bodies is largest.
+const RIGID_PEAKS: [f64; 8] = [0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.8, 1.0];
 /// Load outside of the box of a point contact, times `M^(4/3) X` over the load.
 const LOAD_OUTSIDE: f64 = 8.8;
 /// Film error over the relative load outside, for strongly deflecting and for rigid bodies.
@@ -92,14 +94,24 @@ impl InletScale {
         let (radius_x, radius_y) = contact.scene.form.radii_of_entrainment();
         let curvatures = [1.0 / radius_x, 1.0 / radius_y];
         let alpha = contact.viscosity.log_slope(0.0).max(0.0);
+        let rigid = RigidParaboloids::new([curvatures[0], 0.0, curvatures[1]])?;
+        let drag = contact.viscosity.viscosity(0.0) * contact.entrainment_speed;
+        let film = contact.formulas.map.central;
+        let film_length = (2.0 * film / curvatures[0]).sqrt();
+        let between_rigid = |place: f64| {
+            let gap = film * (1.0 + place * place);
+            rigid.reduced_pressure(drag, [-place * film_length, 0.0], gap)
+        };
+        let largest = RIGID_PEAKS.into_iter().map(between_rigid).fold(0.0, f64::max);
+        let stiff = 1.0 / (alpha + 1.0 / (DEFLECTING * contact.hertz.pressure));
         Ok(Self {
-            rigid: RigidParaboloids::new([curvatures[0], 0.0, curvatures[1]])?,
-            drag: contact.viscosity.viscosity(0.0) * contact.entrainment_speed,
+            rigid,
+            drag,
             is_line: contact.scene.form.is_line(),
             halves: contact.hertz.half_extents(),
             curvatures,
-            film: contact.formulas.map.central,
-            stiff: 1.0 / (alpha + 1.0 / (DEFLECTING * contact.hertz.pressure)),
+            film,
+            stiff: if largest > 0.0 { stiff.min(largest) } else { stiff },
             moes_load: contact.formulas.moes.m,
         })
     }

@@ -27,7 +27,7 @@ pub(super) fn element(options: &Init) -> Result<Element, Box<dyn Error>> {
     let cells = disc.cells(options.cells, inlet + outlet)?;
     let grid = format!(
         "across = \"periodic\" # a strip of the roller, five correlation lengths wide\nnx = {cells}\nny = {ROWS}\n\
-         x = [\"-{} um\", \"{} um\"] # the oil flows along +x\n\n[solver]\nestimate = true # errors of the mesh\n{}",
+         x = [\"-{} um\", \"{} um\"] # the oil flows along +x\n{}",
         plain(1e6 * inlet),
         plain(1e6 * outlet),
         disc.tables(&options.file, HARDNESS)?
