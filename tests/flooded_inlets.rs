@@ -72,7 +72,8 @@ fn film_of_a_rigid_line_is_the_flooded_one_in_any_box() {
         scene.motion = Motion::new(speed, 0.0);
         let film = 4.896 * 0.1 * speed * 50e-3 / 2e3;
         let given = solved(&in_box(&scene, -4.0, 0.0));
-        let chosen = solved(&Scene { grid: GridSpec::Accuracy { accuracy: 0.02 }, ..scene.clone() });
+        scene.grid = GridSpec::Accuracy { accuracy: 0.02 };
+        let chosen = solved(&scene);
         for solution in [given, chosen] {
             let error = solution.film.central / film - 1.0;
             assert!(error.abs() < 0.03, "{speed} m/s: {:e} {film:e}", solution.film.central);

@@ -167,6 +167,18 @@ pub(crate) fn announce_memory(scene: &Scene, held: &Held) -> Result<(), SimError
     Ok(())
 }
 
+/// A number with five digits, by powers of ten below 1e-4 and from 1e7 on.
+pub(crate) fn digits(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    if !(9.9999e-5..9.9999e6).contains(&size) {
+        return format!("{value:.4e}");
+    }
+    format!("{value:.*}", (4 - size.log10().floor() as i32).max(0) as usize)
+}
+
 /// Says which files were written; with `json` standard output is not for that.
 pub(crate) fn report_files(files: &[PathBuf], json: bool) -> io::Result<()> {
     for file in files {

@@ -154,8 +154,10 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
     if let Some(point) = extreme(|p| p.friction_power, 1.0) {
         let power = point.friction_power;
         lines.push(format!(
-            "power      {power:.4e} {per} at {}, {mean:.4e} {per} in the mean of the contacts",
-            place(point)
+            "power      {} {per} at {}, {} {per} in the mean of the contacts",
+            output::digits(power),
+            place(point),
+            output::digits(mean)
         ));
     }
     if let Some(point) = extreme(|p| p.flash_rise.unwrap_or(0.0), 1.0)

@@ -22,7 +22,7 @@ impl Expected {
         lines.extend(self.oil_lines());
         let half_width = 1e6 * hertz.half_width_x;
         let size = if self.sim.scene().form.is_line() {
-            format!("{:.4e} N/m, half-width {half_width:.1} um", hertz.force)
+            format!("{} N/m, half-width {half_width:.1} um", output::digits(hertz.force))
         } else {
             format!("{:.4} N, half-widths {half_width:.1} x {:.1} um", hertz.force, 1e6 * hertz.half_width_y)
         };

@@ -120,16 +120,16 @@ impl Axis {
     /// A cell of the table on the terminal.
     pub(super) fn cell(self, value: f64) -> String {
         let shown = self.shown(value);
-        if self.is_logarithmic() { format!("{shown:11.4e}") } else { format!("{shown:11.4}") }
+        if self.is_logarithmic() { format!("{:>11}", output::digits(shown)) } else { format!("{shown:11.4}") }
     }
 
     /// The value in messages.
     pub(super) fn words(self, value: f64, line: bool) -> String {
         match (self, line) {
-            (Self::Speed, _) => format!("{value:.4e} m/s"),
+            (Self::Speed, _) => format!("{} m/s", output::digits(value)),
             (Self::SlideRollRatio, _) => format!("a slide-roll ratio of {value:.4}"),
-            (Self::Load, false) => format!("{value:.4e} N"),
-            (Self::Load, true) => format!("{value:.4e} N/m"),
+            (Self::Load, false) => format!("{} N", output::digits(value)),
+            (Self::Load, true) => format!("{} N/m", output::digits(value)),
             (Self::Temperature, _) => format!("{:.2} degC", self.shown(value)),
         }
     }

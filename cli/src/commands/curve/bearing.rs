@@ -147,9 +147,9 @@ fn header(over: Axis, is_rough: bool) -> String {
 fn line(over: Axis, value: f64, numbers: &BearingNumbers) -> String {
     let solids = numbers.contact_share.map_or_else(String::new, |share| format!(" {:11.3}", 100.0 * share));
     format!(
-        "{} {:12.4e} {:12.4} {:10.5} {:10.4} {:12.4} {:10.2}{solids}",
+        "{} {:>12} {:12.4} {:10.5} {:10.4} {:12.4} {:10.2}{solids}",
         over.cell(value),
-        numbers.load,
+        output::digits(numbers.load),
         1e6 * numbers.least_film,
         numbers.friction_coefficient,
         numbers.power_loss,

@@ -87,9 +87,9 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
 /// Solid contact of rough surfaces.
 fn solids(numbers: &BearingNumbers, per: &str) -> Option<String> {
     Some(format!(
-        "contact    {:.2} % of the load on solids, on {:.4e} mm^2{per}; {:.4} N{per} of the friction; least film {:.3} Rq",
+        "contact    {:.2} % of the load on solids, on {} mm^2{per}; {:.4} N{per} of the friction; least film {:.3} Rq",
         100.0 * numbers.contact_share?,
-        1e6 * numbers.contact_area?,
+        output::digits(1e6 * numbers.contact_area?),
         numbers.contact_friction?,
         numbers.film_over_rq?
     ))
