@@ -159,6 +159,40 @@ fn curve_of_a_journal_is_over_speed_load_and_temperature() {
     assert_refused(&["curve", text(&pad), "--over", "load", "--out", text(folder.path())], &["load", "film"]);
 }
 
+/// A bearing with holes has pictures and a report in the units of engineers, whose numbers are those of the JSON object.
+#[test]
+fn bearings_have_pictures_and_a_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.toml");
+    let holes = "nx = 80\nny = 12\nhole_angles = [\"180 deg\"]\nhole_diameter = \"6 mm\"\nsupply_pressure = \"2 bar\"\n[lubricant]";
+    let scene = std::fs::read_to_string(repository("examples/scenes/journal.toml")).unwrap();
+    std::fs::write(&path, scene.replace("[lubricant]", holes)).unwrap();
+    let report = folder.path().join("report.html");
+    let out = text(folder.path());
+    let solved =
+        stribeck(&["solve", text(&path), "--json", "--plot", "--out", out, "--report", text(&report)]);
+    assert_eq!(solved.status.code(), Some(0), "{}", error_of(&solved));
+    common::assert_pictures(
+        folder.path(),
+        "journal_profile",
+        &["pressure (MPa)", "film fraction", "x along the motion (mm)"],
+    );
+    let json = json_of(&solved);
+    close(&json["hole_flow"], json["side_flow"].as_f64().unwrap(), 1e-5);
+    let page = std::fs::read_to_string(&report).unwrap();
+    for (name, value, unit) in [
+        ("Flow from holes", 1e6 * json["hole_flow"].as_f64().unwrap(), "ml/s"),
+        ("Least film", 1e6 * json["least_film"].as_f64().unwrap(), "\u{b5}m"),
+        ("Attitude angle", json["attitude"].as_f64().unwrap().to_degrees(), "\u{b0}"),
+    ] {
+        let row = page.split("<tr>").find(|row| row.contains(&format!("<th>{name}</th>"))).unwrap();
+        let cell = row.split("<td>").nth(1).unwrap().split("</td>").next().unwrap();
+        let shown: f64 = cell.parse().unwrap();
+        assert!((shown / value - 1.0).abs() < 1e-3 && row.contains(unit), "{name}: {row} {value}");
+    }
+    assert!(!page.contains("least_film"), "keys are no labels");
+}
+
 /// Rough surfaces add columns; a flat contact has no curve, and the message says how to solve it.
 #[test]
 fn curve_of_a_rough_journal_has_the_share_of_solids() {

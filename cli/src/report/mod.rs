@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use stribeck::Status;
 
 pub(crate) use self::fields::Fields;
-pub(crate) use self::numbers::{ErrorOf, Number, all, contact, list, rows};
+pub(crate) use self::numbers::{ErrorOf, Number, all, bearing, contact, list, rows};
 use crate::picture::{self, Chart, Maps, Scale};
 use crate::{files, output};
 

@@ -1,25 +1,28 @@
 //! Rigid bearings: scenes with the table `[given_film]`.
 
 use std::error::Error;
+use std::path::Path;
 use std::time::Instant;
 
 use stribeck::Status;
 use stribeck::sim::scene::BearingSpec;
 use stribeck::sim::{BearingNumbers, BearingSolution, RigidBearing};
 
-use super::{Options, write_fields, write_plain_report};
+use super::{Options, write_fields};
 use crate::output::{self, Outcome};
+use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
+use crate::report::{self, Report};
 use crate::{files, interrupt};
 
 pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
-    if options.output.plot {
-        return Err(
-            "--plot: there are no pictures of a rigid bearing; --fields OUT.npz has its pressures".into()
-        );
-    }
     if let Some(path) = &options.fields {
         files::claim(std::slice::from_ref(path), options.output.force, output::OTHER_NAME)?;
+    }
+    let (out, picture_name) = (&options.output.out, format!("{}_profile", output::stem(&options.scene)));
+    if options.output.plot {
+        files::make_folder(out)?;
+        files::claim(&picture::files(out, &picture_name), options.output.force, output::OTHER_FOLDER)?;
     }
     let solved = bearing.solve(interrupt::is_requested);
     let solution = solved.map_err(|error| output::in_scene(&options.scene, &error))?;
@@ -35,26 +38,65 @@ pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, 
     numbers["warnings"] = serde_json::to_value(&solution.warnings)?;
     numbers["seconds"] = start.elapsed().as_secs_f64().into();
     numbers["version"] = env!("CARGO_PKG_VERSION").into();
-    let report_file = write_plain_report(options, ("rigid bearing", status), &solution.warnings, &numbers)?;
+    let chart = profile(&options.scene, &solution);
+    let pictures = if options.output.plot { picture::write(&chart, out, &picture_name)? } else { Vec::new() };
+    if let Some(path) = &options.report.report {
+        let mut report = Report::new(&options.scene, "rigid bearing", status)?;
+        report.warn(solution.warnings.iter().map(ToString::to_string));
+        report.table(&report::bearing(&numbers, per(bearing).is_empty()));
+        report.chart(&chart)?;
+        report.write(path)?;
+    }
     if options.output.json {
         output::print(&numbers)?;
     } else {
         output::print(&report(bearing, &solution, status))?;
     }
     output::report_files(
-        &options.fields.iter().cloned().chain(report_file).collect::<Vec<_>>(),
+        &options.fields.iter().chain(&pictures).chain(&options.report.report).cloned().collect::<Vec<_>>(),
         options.output.json,
     )?;
     Ok(status.into())
 }
 
+/// The unit behind forces, flows and powers of a pad without width.
+fn per(bearing: &RigidBearing) -> &'static str {
+    match bearing.bearing {
+        BearingSpec::Pad { width: None, .. } | BearingSpec::Step { width: None, .. } => "/m",
+        _ => "",
+    }
+}
+
+/// Pressures and film fraction along the motion in the middle of the width.
+fn profile(scene: &Path, solution: &BearingSolution) -> Chart {
+    let (film, grid) = (&solution.film, solution.film.grid());
+    let nodes = grid.nx() * (grid.ny() / 2)..grid.nx() * (grid.ny() / 2 + 1);
+    let line = |name, colour, values: &[f64], factor: f64| Line {
+        name,
+        colour,
+        points: nodes
+            .clone()
+            .enumerate()
+            .filter_map(|(i, node)| values.get(node).map(|value| (1e3 * grid.x(i), factor * value)))
+            .collect(),
+        bands: Vec::new(),
+    };
+    let solids = film.contact.as_ref();
+    let name = if solids.is_some() { "film" } else { "" };
+    let mut pressures = vec![line(name, BLUE, &film.pressure, 1e-6)];
+    pressures.extend(solids.map(|contact| line("solids", VERMILION, &contact.pressure, 1e-6)));
+    let panels = vec![
+        Panel::new("pressure (MPa)", pressures),
+        Panel::new("film fraction", vec![line("", GREEN, &film.theta, 1.0)]),
+    ];
+    let title = format!("{}: profile in the middle of the width", output::stem(scene));
+    Chart { title, x_label: "x along the motion (mm)", x_scale: Scale::Linear, panels, upper: None }
+}
+
 /// The numbers for people.
 fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) -> String {
     let numbers = &solution.numbers;
-    let per = match bearing.bearing {
-        BearingSpec::Pad { width: None, .. } | BearingSpec::Step { width: None, .. } => "/m",
-        _ => "",
-    };
+    let per = per(bearing);
     let mut lines = vec![format!("status     {status}")];
     lines.extend(position(numbers));
     let BearingNumbers { friction_moving, friction_resting, .. } = numbers;
