@@ -118,18 +118,14 @@ fn liner_changes_the_load_in_first_order_by_its_column_deflection() {
     let oil = oil();
     let rigid = bearing(&oil).solve(0.6).unwrap();
     let largest = rigid.film.pressure.iter().copied().fold(0.0, f64::max);
-    for share in [0.01, 0.03] {
+    for share in [0.1, 0.3] {
         let compliance = share * rigid.least_film / largest;
         let soft = bearing(&oil).with_bore(Some(ElasticBore::Column { compliance })).solve(0.6).unwrap();
         let first = first_order_load(&rigid, compliance, &oil, 0.6);
-        let change = soft.load / rigid.load - 1.0;
-        assert!(change < -0.5 * share, "{share}: {change}");
-        // Of second order in the share, besides the tolerance of the deflection.
-        assert!(
-            (soft.load / first - 1.0).abs() < 5.0 * share * share + 2e-3,
-            "{share}: {} {first}",
-            soft.load
-        );
+        // The load falls, by a part of the first order that is itself of this order less.
+        let [change, first] = [soft.load, first].map(|load| 1.0 - load / rigid.load);
+        assert!(first > 0.03 * share && change > 0.0, "{share}: {change} {first}");
+        assert!((change - first).abs() < 1.5 * share * first + 3e-4, "{share}: {change} {first}");
         let expected = compliance * soft.film.pressure.iter().copied().fold(0.0, f64::max);
         // Within the tolerance of a thousandth of the least film.
         assert!(
@@ -152,22 +148,20 @@ fn liner_has_the_compliance_of_its_oedometric_modulus() {
     assert!((compliance / (1e-3 * 1.3 * 0.4 / (1e9 * 0.7)) - 1.0).abs() < 1e-12);
 }
 
-/// Under one load a softer bore has a larger eccentricity, a lower largest pressure and a film that is widened by about its deflection;
-/// axes may be farther apart than the clearance.
+/// Under one load a softer bore has a larger eccentricity and a lower largest pressure; axes may be farther apart than the clearance.
 #[test]
 fn soft_bore_spreads_the_pressure_of_its_load() {
     let oil = oil();
-    let load = bearing(&oil).solve(0.8).unwrap().load;
-    let under = |bore: Option<ElasticBore>| bearing(&oil).with_bore(bore).equilibrium(load).unwrap();
+    let small = JournalBearing::new([25e-3, 25e-3, 25e-6], 314.0, &oil).with_cells([80, 12]);
+    let under = |bore: Option<ElasticBore>| small.with_bore(bore).equilibrium(8e3).unwrap();
     let largest = |solution: &JournalSolution| solution.film.pressure.iter().copied().fold(0.0, f64::max);
-    let rigid = under(None);
-    let steel = under(Some(ElasticBore::HalfSpace { equivalent_modulus: 230e9 }));
-    let soft = under(Some(ElasticBore::HalfSpace { equivalent_modulus: 4e9 }));
+    let half_space = |equivalent_modulus| Some(ElasticBore::HalfSpace { equivalent_modulus });
+    let [rigid, steel, soft] = [None, half_space(230e9), half_space(90e9)].map(under);
     for solution in [&steel, &soft] {
-        assert!((solution.load / load - 1.0).abs() < 2e-3, "{}", solution.load);
+        assert!((solution.load / 8e3 - 1.0).abs() < 3e-4, "{}", solution.load);
     }
     assert!(rigid.eccentricity < steel.eccentricity && steel.eccentricity < soft.eccentricity);
-    assert!(largest(&soft) < 0.9 * largest(&rigid), "{} {}", largest(&soft), largest(&rigid));
+    assert!(largest(&soft) < 0.8 * largest(&rigid), "{} {}", largest(&soft), largest(&rigid));
     assert!(soft.eccentricity > 1.0 && soft.least_film > 0.0, "{} {}", soft.eccentricity, soft.least_film);
     for (bore, part) in [
         (ElasticBore::HalfSpace { equivalent_modulus: 0.0 }, "bore_modulus = 0"),

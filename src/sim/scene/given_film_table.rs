@@ -186,7 +186,7 @@ impl BearingTable {
         let any = self.groove_angles.is_some()
             || self.groove_width.is_some()
             || self.groove_length.is_some()
-            || (self.supply_pressure.is_some() && self.hole_diameter.is_none());
+            || (self.supply_pressure.is_some() && self.hole_diameter.is_none() && self.hole_angles.is_none());
         if !any || !matches!(self.kind, BearingKind::Journal) {
             return Ok(None);
         }

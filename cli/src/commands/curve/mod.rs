@@ -166,7 +166,10 @@ fn announced(
     } else {
         String::new()
     };
-    held.hold("needs", format!("{solves} solves, each with about {megabytes:.0} MB of memory{finer}"));
+    held.hold(
+        "needs",
+        format!("{solves} solves, each with about {:.0} MB of memory{finer}", megabytes.max(1.0)),
+    );
     if options.over != Axis::SlideRollRatio && conditions.motion.slide_roll_ratio == 0.0 {
         held.hold("warning", "the slide-roll ratio is 0: without sliding there is no friction".to_owned());
     }

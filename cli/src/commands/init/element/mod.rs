@@ -181,7 +181,7 @@ fn round_grid([radius, force]: [f64; 2], modulus: f64, is_dry: bool) -> Result<S
     } else {
         let [inlet, outlet, side] = [3.5, 1.7, 2.0].map(length);
         format!(
-            "nx = 96\nny = 80\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\ny = [\"-{side} um\", \"{side} um\"]\n\n\
+            "nx = 128\nny = 108\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\ny = [\"-{side} um\", \"{side} um\"]\n\n\
              [solver]\nestimate = true # errors of the mesh\n"
         )
     })
