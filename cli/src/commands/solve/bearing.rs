@@ -1,7 +1,7 @@
 //! Rigid bearings: scenes with the table `[given_film]`.
 
 use std::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use stribeck::Status;
@@ -39,7 +39,8 @@ pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, 
     numbers["seconds"] = start.elapsed().as_secs_f64().into();
     numbers["version"] = env!("CARGO_PKG_VERSION").into();
     let chart = profile(&options.scene, &solution);
-    let pictures = if options.output.plot { picture::write(&chart, out, &picture_name)? } else { Vec::new() };
+    let pictures: Vec<PathBuf> =
+        if options.output.plot { picture::write(&chart, out, &picture_name)?.into() } else { Vec::new() };
     if let Some(path) = &options.report.report {
         let mut report = Report::new(&options.scene, "rigid bearing", status)?;
         report.warn(solution.warnings.iter().map(ToString::to_string));
