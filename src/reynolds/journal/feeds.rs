@@ -2,7 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::JournalBearing;
 use crate::error::InputError;
 use crate::reynolds::given_film::Feed;
 
@@ -90,17 +89,21 @@ impl Supply {
     }
 }
 
-impl JournalBearing<'_> {
-    /// Whether the bush has grooves or holes, whose angles count from the load.
-    pub(super) fn is_fed(&self) -> bool {
-        self.grooves.is_some() || self.holes.is_some()
-    }
+/// The bush of a journal bearing.
+pub(super) struct Bush<'a> {
+    pub(super) radius: f64,
+    pub(super) width: f64,
+    /// Sign of the rotation.
+    pub(super) turn: f64,
+    pub(super) grooves: Option<Grooves<'a>>,
+    pub(super) holes: Option<Holes<'a>>,
+}
 
+impl Bush<'_> {
     /// Feeds at the `attitude` angle of the load, which points to the angle `pi - attitude` from the widest gap.
     pub(super) fn supply(&self, attitude: f64) -> Supply {
         let circumference = TAU * self.radius;
-        let turn = self.angular_speed.signum();
-        let place = |angle: &f64| self.radius * (PI + turn * (angle - attitude));
+        let place = |angle: &f64| self.radius * (PI + self.turn * (angle - attitude));
         let middles: Vec<f64> =
             self.grooves.map_or_else(Vec::new, |grooves| grooves.angles.iter().map(place).collect());
         let width = self.grooves.map_or(0.0, |grooves| grooves.width);
@@ -147,7 +150,8 @@ impl JournalBearing<'_> {
     }
 
     /// Error for grooves that are out of range or overlap.
-    pub(super) fn validate_grooves(&self, grooves: Grooves<'_>) -> Result<(), InputError> {
+    pub(super) fn validate_grooves(&self) -> Result<(), InputError> {
+        let Some(grooves) = self.grooves else { return Ok(()) };
         InputError::require_positive("groove_width", grooves.width)?;
         InputError::require_positive("groove_length", grooves.length)?;
         let fits =

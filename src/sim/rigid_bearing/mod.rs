@@ -140,7 +140,8 @@ impl RigidBearing {
             Some(balance) => heat::solve(self, balance, &interrupted)?,
         };
         let has_data_sheet = self.lubricant.oil.is_some();
-        solution.warnings.extend(bearing_warnings(&solution.numbers, has_data_sheet, self.relief.as_ref()));
+        let seen = (solution.numbers.load, solution.numbers.temperature);
+        solution.warnings.extend(bearing_warnings(seen, has_data_sheet, self.relief.as_ref()));
         Ok(solution)
     }
 

@@ -3,7 +3,6 @@
 use super::quantity::{GAS_VISCOSITY, GIVEN_FILM, OIL_TEMPERATURE, PRESSURE_VISCOSITY};
 use super::{Warning, short};
 use crate::reynolds::{GivenFilm, GivenFilmSolution};
-use crate::sim::BearingNumbers;
 use crate::sim::scene::PadRelief;
 
 /// Largest pressure \[Pa\] of surfaces treated as rigid.
@@ -12,16 +11,16 @@ const LARGEST_PRESSURE: f64 = 1e9;
 /// Largest depth of dimples over their diameter.
 const STEEPEST_DIMPLE: f64 = 0.1;
 
-/// Warnings about a bearing of a scene: one without load, an oil by its data sheet at a temperature that oils do not have, steep dimples.
+/// Warnings about a bearing of a scene with its load and the temperature of its oil: one without load, an oil by its data sheet at a temperature that oils do not have, steep dimples.
 pub(in crate::sim) fn bearing_warnings(
-    numbers: &BearingNumbers,
+    (load, temperature): (f64, f64),
     has_data_sheet: bool,
     relief: Option<&PadRelief>,
 ) -> Vec<Warning> {
-    let idle = (numbers.load <= 0.0).then(|| {
+    let idle = (load <= 0.0).then(|| {
         let message = "the film carries no load: it does not converge in the direction of motion".to_owned();
         let remedy = "inlet_film above outlet_film, an eccentricity above 0, or a supply pressure".to_owned();
-        Warning::new("load", numbers.load, message, remedy)
+        Warning::new("load", load, message, remedy)
     });
     let steep = match relief {
         Some(&PadRelief::Dimples { diameter, depth, .. }) if depth > STEEPEST_DIMPLE * diameter => {
@@ -34,7 +33,7 @@ pub(in crate::sim) fn bearing_warnings(
         }
         _ => None,
     };
-    let hot = has_data_sheet.then(|| OIL_TEMPERATURE.check("temperature", numbers.temperature)).flatten();
+    let hot = has_data_sheet.then(|| OIL_TEMPERATURE.check("temperature", temperature)).flatten();
     [idle, steep, hot].into_iter().flatten().collect()
 }
 
