@@ -166,10 +166,10 @@ fn unknown(given: &str, name: &str) -> String {
     let is_roller = name.starts_with('N');
     let names: Vec<String> = estimates().map(|bearing| bearing.name).collect();
     let mut near: Vec<&String> = names.iter().filter(|known| known.starts_with('N') == is_roller).collect();
-    // The bore code and the number as a whole.
+    // The bore code, then the series of diameters.
     let distance = |known: &str| {
         let (one, other) = (number(known), number(name));
-        ((one % 100.0) - (other % 100.0)).abs() * 100.0 + (one - other).abs().min(99.0)
+        ((one % 100.0) - (other % 100.0)).abs() * 100.0 + 0.01 * ((one % 1000.0) - (other % 1000.0)).abs()
     };
     near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     let nearest: Vec<&str> = near.iter().take(3).map(|name| name.as_str()).collect();

@@ -70,10 +70,19 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
         require_used(options, "--bearing", &["--rotation", "--slide-roll-ratio", OIL])?;
         text(options, &bearing::element(options, name)?)?
     } else if element.roller {
+        let rough = options.roughness.is_some() || options.finish.is_some();
         require_used(
             options,
             "--roller",
-            &["--radius", "--speed", "--slide-roll-ratio", "--roughness", "--finish", OIL],
+            &[
+                "--radius",
+                "--speed",
+                "--slide-roll-ratio",
+                "--roughness",
+                "--finish",
+                OIL,
+                if rough { "--cells" } else { "" },
+            ],
         )?;
         text(options, &roller::element(options)?)?
     } else if element.journal {
