@@ -1,7 +1,7 @@
 //! A journal bearing, and the film at one position of its axis.
 
 use super::elastic_bore::ElasticBore;
-use super::feeds::{Bush, Grooves, Holes, Supply};
+use super::feeds::{Bush, Grooves, Holes};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;

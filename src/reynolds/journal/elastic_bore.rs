@@ -53,7 +53,7 @@ impl ElasticBore {
 
 /// The influence of the pressure on the film.
 pub(super) enum Influence {
-    HalfSpace(HalfSpace),
+    HalfSpace(Box<HalfSpace>),
     Column(f64),
 }
 
@@ -62,7 +62,7 @@ impl Influence {
         bore.validate()?;
         Ok(match bore {
             ElasticBore::HalfSpace { equivalent_modulus } => {
-                Self::HalfSpace(HalfSpace::new(grid, equivalent_modulus)?)
+                Self::HalfSpace(Box::new(HalfSpace::new(grid, equivalent_modulus)?))
             }
             ElasticBore::Column { compliance } => Self::Column(compliance),
         })
