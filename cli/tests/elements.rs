@@ -87,8 +87,17 @@ fn estimated_bearings_say_so() {
 /// A rough roller is a strip, on which asperities carry load where lambda is low.
 #[test]
 fn rough_roller_is_a_strip() {
-    let rough =
-        ["--roller", "--radius", "3 mm", "--load", "60 kN/m", "--speed", "0.03 m/s", "--roughness", "0.2 um"];
+    let rough = [
+        "--roller",
+        "--radius",
+        "3 mm",
+        "--load",
+        "60 kN/m",
+        "--speed",
+        "0.003 m/s",
+        "--roughness",
+        "0.2 um",
+    ];
     let (scene, roller) = solved(&[rough.as_slice(), &["--length", "30 um"]].concat());
     assert!(scene.contains("across = \"periodic\"") && scene.contains("[plastic]"), "{scene}");
     assert!(roller["film"]["lambda"].as_f64().unwrap() < 1.0, "{roller}");

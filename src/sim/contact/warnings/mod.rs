@@ -1,6 +1,8 @@
 //! Warnings about implausible values and results, and about models outside of their valid range. They are never fatal.
 //! One function a check.
 
+#[cfg(feature = "serde")]
+mod bearing;
 mod given_film;
 mod left_out;
 mod limits;
@@ -13,7 +15,8 @@ mod solved;
 
 use std::fmt;
 
-pub(in crate::sim) use given_film::bearing_warnings;
+#[cfg(feature = "serde")]
+pub(in crate::sim) use bearing::bearing_warnings;
 pub use given_film::given_film_warnings;
 pub(in crate::sim) use left_out::{OperatingPoint, left_out};
 pub(in crate::sim) use plausible::{of_own_laws, reject_height_unit, reject_units};
