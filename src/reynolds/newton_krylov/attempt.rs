@@ -3,21 +3,21 @@
 use super::Workspace;
 use super::globalization::Globalization;
 use super::settings::START_TOLERANCE;
-use super::soft_start::is_soft;
+use super::soft_start::{FROM_COARSE, FROM_DRY, is_soft};
 use crate::report::{Residuals, Status};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
 /// Where an attempt starts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Start {
     /// The given state, if that is a warm start.
     Given,
     /// The dry contact.
     Dry,
-    /// As soft bodies do.
-    Soft,
+    /// As soft bodies do, with this pseudo-transient term and its reduction behind a coarser grid.
+    Soft((f64, f64)),
 }
 
 impl Workspace {
@@ -33,10 +33,13 @@ impl Workspace {
         let is_cold = state.pressure.iter().all(|&p| p <= 0.0);
         let start = match is_cold {
             false => Start::Given,
-            true if is_soft(problem) => Start::Soft,
+            true if is_soft(problem) => Start::Soft(FROM_COARSE),
             true => Start::Dry,
         };
         let mut status = self.attempt(start, problem, state, stop)?;
+        if is_recoverable(status) && start == Start::Soft(FROM_COARSE) {
+            status = self.attempt(Start::Soft(FROM_DRY), problem, state, stop)?;
+        }
         if is_recoverable(status) && problem.box_load().is_some() && self.may_continue(problem, state) {
             status = self.continue_in_contact_film(problem, state, stop)?;
         }
@@ -76,8 +79,11 @@ impl Workspace {
         if start == Start::Given && (self.is_warm_start(problem, state)? || holds_approach) {
             globalization.for_warm_start();
         } else {
-            let is_soft = start == Start::Soft;
-            if !is_soft || !self.start_soft(problem, state, stop, &mut globalization)? {
+            let is_started = match start {
+                Start::Soft(terms) => self.start_soft(problem, state, stop, (&mut globalization, terms))?,
+                Start::Given | Start::Dry => false,
+            };
+            if !is_started {
                 globalization.start_homotopy(problem);
                 self.start_dry(problem, state)?;
             }

@@ -21,9 +21,9 @@ const MOST_THICKENING: f64 = 10.0;
 const FEW_NODES: usize = 64 * 64;
 /// Pseudo-transient term and its reduction from the dry contact. Half of the terms and reductions of 0.85 or 0.9 leave
 /// some of six soft contacts on 96 x 96 cells above 60 steps; these take 19 to 51.
-const FROM_DRY: (f64, f64) = (10.0, 0.8);
+pub(super) const FROM_DRY: (f64, f64) = (10.0, 0.8);
 /// The same from the solution on a coarser grid: 7 to 9 steps.
-const FROM_COARSE: (f64, f64) = (0.3, 0.7);
+pub(super) const FROM_COARSE: (f64, f64) = (0.3, 0.7);
 /// Residual to which coarser grids are solved.
 const COARSE_TOLERANCE: f64 = 1e-2;
 
@@ -40,14 +40,14 @@ pub(super) fn is_soft(problem: &LubricatedContact<'_>) -> bool {
 }
 
 impl Workspace {
-    /// The solution on half of the cells along each side, and its pseudo-transient term; false on few nodes, and if that
-    /// did not converge: the term is then that from the dry contact.
+    /// The solution on half of the cells along each side, and the pseudo-transient term `from_coarse` with its reduction;
+    /// false on few nodes, and if that did not converge: the term is then that from the dry contact.
     pub(super) fn start_soft(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        globalization: &mut Globalization,
+        (globalization, from_coarse): (&mut Globalization, (f64, f64)),
     ) -> Result<bool, ReynoldsError> {
         // The next coarser grid, if it is worth a solve.
         let grid = problem.grid();
@@ -58,7 +58,7 @@ impl Workspace {
             Some(mut body) => self.start_coarse(problem, &mut *body, state, stop)?,
             None => false,
         };
-        globalization.set_pseudo_transient(if is_started { FROM_COARSE } else { FROM_DRY });
+        globalization.set_pseudo_transient(if is_started { from_coarse } else { FROM_DRY });
         Ok(is_started)
     }
 

@@ -2,13 +2,11 @@
 
 use crate::error::InputError;
 use crate::reynolds::ContactState;
-use crate::sim::cycle::{CycleEnd, CyclePoint, CycleRecord, CycleSolution, set_row};
+use crate::sim::cycle::{CycleEnd, CyclePoint, CycleRecord, CycleSolution, set_conditions};
 use crate::sim::error::SimError;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::squeeze_memory::mirror_rows;
-use crate::sim::scene::Motion;
 use crate::sim::scene::cycle_table::{CycleRow, CycleTable};
-use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 
 /// Least entrainment speed over the largest one of the cycle.
 const LEAST_ENTRAINMENT: f64 = 1e-9;
@@ -83,6 +81,7 @@ impl Drive {
             points,
             cycles,
             quasi_static: self.table.quasi_static,
+            is_moving: false,
             largest_step,
             closure,
             ended_early,
@@ -112,6 +111,10 @@ impl Drive {
                         is_at_rest: row.entrainment() == 0.0,
                         reason: error.to_string(),
                     });
+                    return Ok(());
+                }
+                Err(SimError::BoxTooSmall(reason)) if self.sim.steps() > 0 => {
+                    round.ended_early = Some(CycleEnd::BoxTooSmall { time: row.time, reason });
                     return Ok(());
                 }
                 point => point?,
@@ -205,27 +208,9 @@ impl Drive {
         }
         let speed = entrainment.abs().max(least);
         let sliding = self.direction * (row.speeds[0] - row.speeds[1]);
-        let conditions = Conditions {
-            load: row.load,
-            motion: Motion {
-                entrainment_speed: speed,
-                slide_roll_ratio: sliding / speed,
-                ..self.sim.scene.motion
-            },
-            bulk_temperature: row.bulk_temperature,
-        };
-        let radius = self.sim.scene.form.radii().0;
-        set_row(&mut self.sim.scene, row);
-        if radius.to_bits() != row.radius.to_bits() {
-            self.sim.contact.set_form(&self.sim.scene)?;
-        }
-        self.sim.operating_schedule = OperatingSchedule::constant(conditions);
+        set_conditions(&mut self.sim, row, [speed, sliding])?;
         let record = self.sim.step_with_restart(time_step)?;
-        let contact = &self.sim.contact;
-        let pressure = contact.hertz.pressure;
-        let density = contact.lubricant.as_ref().map_or(1.0, |oil| oil.density().ratio(pressure));
-        let scales = [pressure, contact.formulas.map_or(0.0, |formulas| formulas.map.central) / density];
-        Ok(CyclePoint::of(row, self.table.turn, &record, scales))
+        Ok(CyclePoint::of(row, self.table.turn, &record, &self.sim.contact))
     }
 
     /// Mirrors the simulation in x, so that a flow along -x is one along +x.
@@ -254,7 +239,7 @@ fn mirror_state(state: &mut ContactState, nx: usize) {
 
 /// Sets the size of the squeeze terms by central differences of the films; at the ends of a cycle that runs `once` by
 /// one-sided ones.
-fn set_squeeze_ratios(points: &mut [CyclePoint], half_widths: &[f64], once: bool) {
+pub(super) fn set_squeeze_ratios(points: &mut [CyclePoint], half_widths: &[f64], once: bool) {
     let count = points.len();
     if count < 3 {
         return;

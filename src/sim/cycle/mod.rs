@@ -2,11 +2,13 @@
 //!
 //! The frame moves with the contact. By default the cycle is solved in time with squeeze, through zero speed and reversed
 //! flow: where the entrainment changes its sign, the contact is mirrored in x (`mirror`), exact on a box that is
-//! symmetric. Quasi-static cycles solve each row as a steady contact.
+//! symmetric. Quasi-static cycles solve each row as a steady contact, or, where the roughness moves, as a passage of the
+//! surfaces (`passages`).
 
 mod cycle_record;
 mod drive;
 mod end;
+mod passages;
 mod point;
 
 use crate::error::InputError;
@@ -15,8 +17,10 @@ use crate::sim::contact::warnings::Warning;
 use crate::sim::contact::{setup, strip};
 use crate::sim::error::SimError;
 use crate::sim::history::builder::SimBuilder;
+use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::scene::cycle_table::{CycleRow, CycleTable};
-use crate::sim::scene::{Flash, GridSpec, InletSpec, RoughnessState, Scene};
+use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
+use crate::sim::scene::{Flash, GridSpec, InletSpec, Motion, RoughnessState, Scene};
 use crate::surface::{Fixed, Form};
 
 pub use cycle_record::CycleRecord;
@@ -36,8 +40,10 @@ pub struct CycleSolution {
     pub points: Vec<CyclePoint>,
     /// The solved cycles of a history; empty for unchanged bodies.
     pub cycles: Vec<CycleRecord>,
-    /// Whether the contacts are steady ones.
+    /// Whether the contacts are steady ones, or passages.
     pub quasi_static: bool,
+    /// Whether the roughness moves: the numbers of each contact are means over a passage.
+    pub is_moving: bool,
     /// Largest way of the entrained film in a step, in half-widths of the Hertz contact.
     pub largest_step: f64,
     /// Relative difference of the last central film from that one cycle before; zero for a cycle that does not repeat.
@@ -50,8 +56,9 @@ pub struct CycleSolution {
 
 impl SimBuilder {
     /// Solves the cycle of the scene ([`CycleSpec`](crate::sim::scene::CycleSpec)); `observer` is called after each contact
-    /// and may return false to stop. The roughness is at rest in the contact, oil is supplied at the edges of
-    /// the box. A cycle that repeats begins before its first row, at its largest entrainment speed, and is solved again
+    /// and may return false to stop. Oil is supplied at the edges of the box. The roughness is at rest in the contact; a
+    /// quasi-static cycle can have [`RoughnessState::Moving`]: each row is then a
+    /// [passage](SimBuilder::solve_passage) under its conditions. A cycle that repeats begins before its first row, at its largest entrainment speed, and is solved again
     /// until its last film repeats. With [`repeat`](crate::sim::scene::CycleSpec::repeat) it is the history of the bodies:
     /// they wear and grow tribofilms from cycle to cycle. Without it wear is left out.
     ///
@@ -81,9 +88,12 @@ impl SimBuilder {
     ) -> Result<CycleSolution, SimError> {
         let table = CycleTable::new(&self.scene)?;
         self.scene = cycle_scene(self.scene, &table)?;
+        require_rows(&self.scene, &self.scene.grid()?, &table)?;
+        if !self.scene.motion.roughness.is_at_rest() {
+            return passages::solve(self, &table, observer);
+        }
         self.motion = Some(std::sync::Arc::new(Fixed));
         self.squeeze = !table.quasi_static;
-        require_rows(&self.scene, &self.scene.grid()?, &table)?;
         let mut sim = self.build()?;
         sim.takes_strips = true;
         drive::Drive::new(sim, table).run(observer)
@@ -122,18 +132,41 @@ pub(in crate::sim::cycle) fn set_row(scene: &mut Scene, row: &CycleRow) {
     scene.thermal.bulk_temperature = row.bulk_temperature;
 }
 
+/// Puts `sim` under the load, the radius and the temperature of `row` and these speeds of entrainment and sliding \[m/s\].
+pub(in crate::sim::cycle) fn set_conditions(
+    sim: &mut MixedLubricationSim,
+    row: &CycleRow,
+    [entrainment_speed, sliding]: [f64; 2],
+) -> Result<(), SimError> {
+    let slide_roll_ratio = sliding / entrainment_speed;
+    let motion = Motion { entrainment_speed, slide_roll_ratio, ..sim.scene.motion };
+    let conditions = Conditions { load: row.load, motion, bulk_temperature: row.bulk_temperature };
+    let radius = sim.scene.form.radii().0;
+    set_row(&mut sim.scene, row);
+    if radius.to_bits() != row.radius.to_bits() {
+        sim.contact.set_form(&sim.scene)?;
+    }
+    sim.operating_schedule = OperatingSchedule::constant(conditions);
+    Ok(())
+}
+
 /// Rejects scenes that have no cycle.
 fn require_cycle(scene: &Scene, table: &CycleTable) -> Result<(), InputError> {
     strip::validate(scene)?;
     let picks_grid = matches!(scene.grid, GridSpec::Accuracy { .. }) || scene.grid.grows();
+    let is_moving = scene.motion.roughness == RoughnessState::Moving;
     let is_turned = scene.form.angle() != 0.0 || scene.motion.spin_radius.is_some();
     let found = [
         (!scene.is_lubricated(), "a dry contact has no film over a cycle; add [lubricant]"),
         (picks_grid, "[grid] must have nx and x (and ny and y): one box for all rows"),
         (
-            scene.motion.roughness == RoughnessState::Moving,
-            "the roughness of a cycle is at rest: a passage needs steps of one cell of the faster surface; leave motion.roughness out, \
-             or leave [cycle] out and solve passages under the conditions of single rows",
+            is_moving && !table.quasi_static,
+            "motion.roughness = \"moving\" needs steps of one cell of the faster surface; add quasi_static = true: each row is then a \
+             passage under its conditions",
+        ),
+        (
+            is_moving && table.history.is_some(),
+            "surfaces in motion (motion.roughness = \"moving\") neither wear nor grow tribofilms; leave cycle.repeat out",
         ),
         (
             scene.solver.accuracy.is_some() || scene.solver.estimate,

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::sim::contact::model::ContactModel;
 use crate::sim::history::record::StepRecord;
 use crate::sim::scene::cycle_table::CycleRow;
 
@@ -59,14 +60,11 @@ pub struct CyclePoint {
 }
 
 impl CyclePoint {
-    /// From the `record` of the contact under the conditions of `row`, whose Hertz contact has the largest pressure
-    /// `hertz_pressure`.
-    pub(super) fn of(
-        row: &CycleRow,
-        turn: Option<f64>,
-        record: &StepRecord,
-        [hertz_pressure, formula_film]: [f64; 2],
-    ) -> Self {
+    /// From the `record` of `contact` under the conditions of `row`.
+    pub(super) fn of(row: &CycleRow, turn: Option<f64>, record: &StepRecord, contact: &ContactModel) -> Self {
+        let hertz_pressure = contact.hertz.pressure;
+        let density = contact.lubricant.as_ref().map_or(1.0, |oil| oil.density().ratio(hertz_pressure));
+        let formula_film = contact.formulas.map_or(0.0, |formulas| formulas.map.central) / density;
         let friction = record.friction.coefficient;
         Self {
             time: row.time,

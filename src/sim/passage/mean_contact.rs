@@ -8,33 +8,39 @@ use crate::sim::error::SimError;
 use crate::sim::history::builder::SimBuilder;
 use crate::sim::history::record::StepRecord;
 use crate::sim::history::simulation::MixedLubricationSim;
+use crate::sim::passage::SolvedPassage;
 
 impl SimBuilder {
     /// [`solve`](Self::solve) of a scene whose roughness moves.
     pub(in crate::sim) fn solve_mean_contact(self) -> Result<ContactSolution, SimError> {
         let mut go_on = |_: &MixedLubricationSim, _: &StepRecord| std::ops::ControlFlow::Continue(());
-        let (solution, sim) = self.pass(&mut go_on)?;
-        let mut passage = solution.passage();
-        if passage.is_empty() {
-            passage = &solution.records;
+        let SolvedPassage { solution, sim, too_small } = self.begin_passage()?.run(&mut go_on)?;
+        if let Some(error) = too_small {
+            return Err(error.into());
         }
-        let Some(last) = passage.last() else {
+        let Some(mean) = solution.mean_record() else {
             // A passage has at least one contact.
             return Err(SimError::Interrupted);
         };
-        let mut report = last.report.clone();
-        if let Some(failed) = &solution.failure {
-            report.clone_from(failed);
-        }
-        let heat = last.thermal.map(|numbers| (numbers, Vec::new()));
+        let report = solution.failure.unwrap_or(mean.report);
+        let heat = mean.thermal.map(|numbers| (numbers, Vec::new()));
         let gap = sim.placement.gap.clone();
-        let numbers = means(passage, last.roughness);
+        let StepRecord { film, pressure, contact, friction, roughness, .. } = mean;
+        let numbers = Numbers { film, pressure, contact, friction, roughness };
         let mut contact =
             sim.contact.solution((report, heat), sim.state.clone(), gap, Some(&sim.friction), numbers);
-        contact.flash_rise = mean_of_all(passage, |record| record.flash_rise);
+        contact.flash_rise = mean.flash_rise;
         contact.warnings.splice(..0, solution.warnings);
         Ok(contact)
     }
+}
+
+/// The last of `records` with the means of all in place of its numbers.
+pub(super) fn mean_record(records: &[StepRecord]) -> Option<StepRecord> {
+    let last = records.last()?;
+    let Numbers { film, pressure, contact, friction, .. } = means(records, last.roughness);
+    let flash_rise = mean_of_all(records, |record| record.flash_rise);
+    Some(StepRecord { film, pressure, contact, friction, flash_rise, ..last.clone() })
 }
 
 /// The mean of `value` over `records`; `None` if a record has none.

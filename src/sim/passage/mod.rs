@@ -15,7 +15,7 @@ use crate::grid::Grid;
 use crate::report::SolveReport;
 use crate::sim::contact::strip;
 use crate::sim::contact::warnings::Warning;
-use crate::sim::error::SimError;
+use crate::sim::error::{BoxTooSmall, SimError};
 use crate::sim::history::builder::SimBuilder;
 use crate::sim::history::observer::Observer;
 use crate::sim::history::record::StepRecord;
@@ -114,7 +114,8 @@ pub struct PassageSolution {
     pub records: Vec<StepRecord>,
     /// Means over the contacts after the start-up.
     pub means: PassageNumbers,
-    /// Reason for an early end: a contact that did not converge. Means are those of the contacts before it.
+    /// Reason for an early end: a contact that did not converge, or one whose solids reach the edge of the box. Means are
+    /// those of the contacts before it.
     pub ended_early: Option<String>,
     /// Report of the contact that did not converge.
     pub failure: Option<SolveReport>,
@@ -127,14 +128,30 @@ impl PassageSolution {
     pub fn passage(&self) -> &[StepRecord] {
         self.records.get(self.start_up..).unwrap_or_default()
     }
+
+    /// The last contact, with the means of the passage in place of its numbers; those of all contacts of a passage that
+    /// ended in the start-up.
+    pub(in crate::sim) fn mean_record(&self) -> Option<StepRecord> {
+        let passage = self.passage();
+        mean_contact::mean_record(if passage.is_empty() { &self.records } else { passage })
+    }
 }
 
 /// A passage before its first contact.
-struct ReadyPassage {
+pub(in crate::sim) struct ReadyPassage {
     sim: MixedLubricationSim,
     time_step: f64,
     start_up: usize,
     contacts: usize,
+}
+
+/// A passage after its last contact.
+pub(in crate::sim) struct SolvedPassage {
+    pub(in crate::sim) solution: PassageSolution,
+    /// The simulation at its end.
+    pub(in crate::sim) sim: MixedLubricationSim,
+    /// The box whose edge ended the passage.
+    pub(in crate::sim) too_small: Option<BoxTooSmall>,
 }
 
 impl SimBuilder {
@@ -163,13 +180,60 @@ impl SimBuilder {
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn solve_passage(self, observer: &mut impl Observer) -> Result<PassageSolution, SimError> {
-        Ok(self.pass(observer)?.0)
+        Ok(self.begin_passage()?.run(observer)?.solution)
     }
 
-    /// The passage, and the simulation at its end.
-    fn pass(self, observer: &mut impl Observer) -> Result<(PassageSolution, MixedLubricationSim), SimError> {
-        let ReadyPassage { mut sim, time_step, start_up, contacts } = self.begin_passage()?;
+    /// The input errors of [`solve_passage`](Self::solve_passage) without solving; the warnings known by then.
+    pub(in crate::sim) fn check_passage(self) -> Result<Vec<Warning>, SimError> {
+        let mut ready = self.begin_passage()?;
+        ready.sim.check_first_contact()?;
+        Ok(ready.sim.warnings().to_vec())
+    }
+
+    /// The simulation of the passage, and its steps.
+    pub(in crate::sim) fn begin_passage(self) -> Result<ReadyPassage, SimError> {
+        let length = self.scene.motion.passage;
+        ReadyPassage::new(self.in_motion()?, length)
+    }
+
+    /// The simulation of surfaces that pass with their roughness, under the conditions at time zero.
+    pub(in crate::sim) fn in_motion(mut self) -> Result<MixedLubricationSim, SimError> {
+        require_passage(&self.scene)?;
+        self.scene = steady_scene(self.scene)?;
+        self.motion = Some(Arc::new(Advected));
+        self.squeeze = true;
+        let mut sim = self.build()?;
+        sim.takes_strips = true;
+        pitches::require_whole(sim.scene(), sim.grid().size_x())?;
+        Ok(sim)
+    }
+}
+
+impl ReadyPassage {
+    /// The passage of the film length `length` \[m\], by default that of the box, through the contact of `sim`, whose
+    /// surfaces are [in motion](SimBuilder::in_motion).
+    pub(in crate::sim) fn new(sim: MixedLubricationSim, length: Option<f64>) -> Result<Self, SimError> {
+        let (grid, conditions) = (sim.grid(), sim.conditions());
+        let length = length.unwrap_or(grid.size_x());
+        InputError::require_positive("motion.passage", length)?;
+        let fastest = conditions.motion.surface_speeds().map(f64::abs).into_iter().fold(0.0, f64::max);
+        // Cells that the mean flow passes in a step in which the faster surface passes one.
+        let film_step = grid.dx() * conditions.motion.entrainment_speed / fastest;
+        let upstream = 0.5 * grid.dx() - grid.x(0);
+        let hertz = sim.contact.hertz_under(&sim.scene, conditions.load)?;
+        let start_up = ((upstream + hertz.half_extents()[0]) / film_step).ceil();
+        let contacts = start_up + (length / film_step).ceil().max(1.0);
+        let requirement = "short enough for at most 1e6 steps of one cell";
+        InputError::require(contacts <= MOST_CONTACTS, "motion.passage", length, requirement)?;
+        let time_step = grid.dx() / fastest;
+        Ok(Self { sim, time_step, start_up: start_up as usize, contacts: contacts as usize })
+    }
+
+    /// Solves all contacts.
+    pub(in crate::sim) fn run(self, observer: &mut impl Observer) -> Result<SolvedPassage, SimError> {
+        let Self { mut sim, time_step, start_up, contacts } = self;
         let (mut records, mut ended_early, mut failure) = (Vec::with_capacity(contacts), None, None);
+        let mut too_small = None;
         while records.len() < contacts {
             match sim.step_with_restart(time_step) {
                 Ok(record) => {
@@ -183,6 +247,11 @@ impl SimBuilder {
                 Err(SimError::NotConverged { source, step, .. }) if !records.is_empty() => {
                     ended_early = Some(format!("contact {step} was not solved: {source}"));
                     failure = Some(*source.report);
+                    break;
+                }
+                Err(SimError::BoxTooSmall(error)) if !records.is_empty() => {
+                    ended_early = Some(error.to_string());
+                    too_small = Some(error);
                     break;
                 }
                 Err(error) => return Err(error),
@@ -199,39 +268,7 @@ impl SimBuilder {
             failure,
             warnings: sim.warnings().to_vec(),
         };
-        Ok((solution, sim))
-    }
-
-    /// The input errors of [`solve_passage`](Self::solve_passage) without solving; the warnings known by then.
-    pub(in crate::sim) fn check_passage(self) -> Result<Vec<Warning>, SimError> {
-        let mut ready = self.begin_passage()?;
-        ready.sim.check_first_contact()?;
-        Ok(ready.sim.warnings().to_vec())
-    }
-
-    /// The simulation of the passage, and its steps.
-    fn begin_passage(mut self) -> Result<ReadyPassage, SimError> {
-        let passage = self.scene.motion.passage;
-        require_passage(&self.scene)?;
-        self.scene = steady_scene(self.scene)?;
-        self.motion = Some(Arc::new(Advected));
-        self.squeeze = true;
-        let mut sim = self.build()?;
-        sim.takes_strips = true;
-        let (grid, motion) = (sim.grid(), sim.scene().motion);
-        pitches::require_whole(sim.scene(), grid.size_x())?;
-        let length = passage.unwrap_or(grid.size_x());
-        InputError::require_positive("motion.passage", length)?;
-        let fastest = motion.surface_speeds().map(f64::abs).into_iter().fold(0.0, f64::max);
-        // Cells that the mean flow passes in a step in which the faster surface passes one.
-        let film_step = grid.dx() * motion.entrainment_speed / fastest;
-        let upstream = 0.5 * grid.dx() - grid.x(0);
-        let start_up = ((upstream + sim.hertz().half_extents()[0]) / film_step).ceil();
-        let contacts = start_up + (length / film_step).ceil().max(1.0);
-        let requirement = "short enough for at most 1e6 steps of one cell";
-        InputError::require(contacts <= MOST_CONTACTS, "motion.passage", length, requirement)?;
-        let time_step = grid.dx() / fastest;
-        Ok(ReadyPassage { sim, time_step, start_up: start_up as usize, contacts: contacts as usize })
+        Ok(SolvedPassage { solution, sim, too_small })
     }
 }
 

@@ -7,7 +7,7 @@ use crate::reynolds::{Cavitation, ContactDefinition, ContactState, reaches_limit
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::model::ContactModel;
 
-/// Largest overlap of the bodies in the center, over the film by formula, of a contact whose film is known.
+/// Largest overlap of the bodies under pressure, over the film by formula, of a contact whose film is known.
 const LARGEST_OVERLAP: f64 = 0.01;
 
 /// Film thickness \[m\], and over roughness.
@@ -49,7 +49,7 @@ pub struct FilmNumbers {
 }
 
 impl FilmNumbers {
-    /// Values of a solve that diverged or whose central films overlap.
+    /// Values of a solve that diverged or whose bodies overlap.
     const UNKNOWN: Self = Self {
         central: f64::NAN,
         minimum: f64::NAN,
@@ -72,10 +72,10 @@ impl FilmNumbers {
         let central = model.grid.interpolate(&state.film, 0.0, 0.0)?;
         // Films of solved contacts are negative by residuals alone.
         let overlap = model.lubricant.as_ref().map_or(f64::INFINITY, |_| LARGEST_OVERLAP * model.stated_film);
-        if model.contact == ContactDefinition::Hard && central < -overlap {
+        let minimum = metrics::minimum_film(&state.film, &state.pressure)?.unwrap_or(0.0);
+        if model.contact == ContactDefinition::Hard && central.min(minimum) < -overlap {
             return Ok(Self::UNKNOWN);
         }
-        let minimum = metrics::minimum_film(&state.film, &state.pressure)?.unwrap_or(0.0);
         let formula = model.lubricant.as_ref().map(|_| model.stated_film).filter(|film| *film > 0.0);
         Ok(Self {
             central,
