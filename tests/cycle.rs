@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use stribeck::sim::scene::{CycleSpec, GridSpec};
+use stribeck::sim::scene::{CycleSpec, GridSpec, Roughness, RoughnessState};
 use stribeck::sim::{CyclePoint, MixedLubricationSim, Scene, solve_contact};
 
 use crate::common::runs::cycle as solve;
@@ -162,6 +162,44 @@ fn quasi_static_rows_equal_single_contacts() {
     }
 }
 
+/// Each row of a cycle of moving roughness is the passage of a scene with its values.
+#[test]
+fn quasi_static_rows_of_moving_roughness_equal_passages() {
+    let mut scene = roller(96);
+    scene.roughness.ball = Roughness::gaussian(0.05e-6, 80e-6, 1);
+    (scene.motion.roughness, scene.motion.passage) = (RoughnessState::Moving, Some(0.1e-3));
+    let mut cycle = CycleSpec::default();
+    (cycle.time, cycle.quasi_static, cycle.once) = (vec![0.0, 1.0], true, true);
+    (cycle.load, cycle.radius) = (vec![1e5, 5e4], vec![10e-3, 15e-3]);
+    (cycle.ball_speed, cycle.disc_speed) = (vec![1.1, 2.0], vec![0.9, 1.0]);
+    scene.cycle = Some(cycle);
+    let solution = solve(scene.clone());
+    assert!(solution.is_moving && solution.points.len() == 2);
+    for point in solution.points {
+        let mut single = scene.clone();
+        single.cycle = None;
+        single.load = stribeck::sim::scene::Load::force(point.load);
+        single.form = stribeck::surface::Form::Cylinder { radius: point.radius };
+        let speed = 0.5 * (point.ball_speed + point.disc_speed);
+        single.motion.entrainment_speed = speed;
+        single.motion.slide_roll_ratio = (point.ball_speed - point.disc_speed) / speed;
+        let mean = solve_contact(&single).unwrap();
+        let pairs = [
+            (point.film_central, mean.film.central),
+            (point.film_mean_central, mean.film.mean_central),
+            (point.film_minimum, mean.film.minimum),
+            (point.pressure_max, mean.pressure.max),
+            (point.friction_coefficient, mean.friction.coefficient),
+            (point.hertz_pressure, mean.hertz.pressure),
+        ];
+        assert!(pairs.iter().all(|(a, b)| (a / b - 1.0).abs() < 1e-6), "{pairs:?}");
+        single.motion.roughness = RoughnessState::AtRest;
+        single.motion.passage = None;
+        let rest = solve_contact(&single).unwrap().film.minimum;
+        assert!((point.film_minimum / rest - 1.0).abs() > 0.01, "{} {rest}", point.film_minimum);
+    }
+}
+
 #[test]
 fn tables_are_refused_by_row_field_and_value() {
     type Change = fn(&mut CycleSpec);
@@ -192,13 +230,27 @@ fn tables_are_refused_by_row_field_and_value() {
 #[test]
 fn scenes_without_a_cycle_are_refused_by_reason() {
     type Change = fn(&mut Scene);
-    let cases: [(Change, &str); 7] = [
+    let cases: [(Change, &str); 9] = [
         (|s| s.cycle = None, "is missing"),
         (|s| s.lubricant = None, "dry"),
         (|s| s.grid = GridSpec::Row { nx: 64, x: [-0.4e-3, 0.2e-3] }, "symmetric"),
         (|s| s.solver.estimate = true, "solver.estimate"),
         (|s| s.solver.model = stribeck::sim::scene::SolverModel::AsperityInlets, "quasi_static"),
-        (|s| s.motion.roughness = stribeck::sim::scene::RoughnessState::Moving, "at rest"),
+        (|s| s.motion.roughness = RoughnessState::Moving, "add quasi_static = true"),
+        (
+            |s| {
+                s.motion.roughness = RoughnessState::Moving;
+                s.cycle.as_mut().unwrap().quasi_static = true;
+            },
+            "0.5 (cycle.ball_speed[30] + cycle.disc_speed[30])",
+        ),
+        (
+            |s| {
+                s.motion.roughness = RoughnessState::Moving;
+                (s.cycle.as_mut().unwrap().quasi_static, s.cycle.as_mut().unwrap().repeat) = (true, Some(3));
+            },
+            "leave cycle.repeat out",
+        ),
         (|s| s.cycle.as_mut().unwrap().load = vec![1e8; 121], "row 0 with load = 100000000.0"),
     ];
     for (change, word) in cases {

@@ -127,10 +127,12 @@ fn place(point: &CyclePoint) -> String {
 /// The cycle in lines: its extremes, and a table of contacts.
 fn report(solution: &CycleSolution, is_line: bool) -> String {
     let points = &solution.points;
-    let step = if solution.quasi_static {
-        "steady contacts".to_owned()
-    } else {
-        format!("in time, at most {:.2} half-widths of entrained film a step", solution.largest_step)
+    let step = match (solution.quasi_static, solution.is_moving) {
+        (true, true) => "means of passages of moving roughness".to_owned(),
+        (true, false) => "steady contacts".to_owned(),
+        (false, _) => {
+            format!("in time, at most {:.2} half-widths of entrained film a step", solution.largest_step)
+        }
     };
     let mut lines = vec![format!("cycle      {} contacts, {step}", points.len())];
     let extreme = |value: fn(&CyclePoint) -> f64, sign: f64| {

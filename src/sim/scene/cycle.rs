@@ -59,7 +59,7 @@ pub struct CycleSpec {
     /// Steps of equal time in a cycle; 400 if absent.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub steps: Option<usize>,
-    /// Solves each row as a steady contact, without squeeze.
+    /// Solves each row as a steady contact, without squeeze; as a passage of the surfaces where the roughness moves.
     pub quasi_static: bool,
     /// The table runs once from a steady first contact, as a tooth in mesh; otherwise it repeats.
     pub once: bool,
