@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use stribeck::sim::scene::{CycleSpec, GridSpec, Roughness, RoughnessState};
-use stribeck::sim::{CyclePoint, MixedLubricationSim, Scene, solve_contact};
+use stribeck::sim::{CycleEnd, CyclePoint, MixedLubricationSim, Scene, solve_contact};
 
 use crate::common::runs::cycle as solve;
 
@@ -322,4 +322,24 @@ fn film_thins_at_rest_and_returns_with_the_speed() {
     );
     assert!(rest.iter().all(|point| point.film_central > 0.2 * steady && point.film_minimum > 1e-9));
     assert!((points.last().unwrap().film_central / steady - 1.0).abs() < 0.01);
+}
+
+/// Solids that reach the edge of the box end a cycle, which keeps the contacts before it.
+#[test]
+fn solids_at_the_edge_of_the_box_end_a_cycle_that_keeps_its_contacts() {
+    let scene = Scene::from_toml(
+        "form = { kind = \"cylinder\", radius = 5e-3 }\nelastic.equivalent_modulus = 230e9\nload.hertz_pressure = 1.2e9\n\
+         motion = { entrainment_speed = 0.1, slide_roll_ratio = 0.25 }\nlubricant = { eta0 = 0.003, alpha = 15e-9, roelands_z = 0.6 }\n\
+         [grid]\nacross = \"periodic\"\nnx = 59\nny = 8\nx = [-0.25e-3, 0.12e-3]\ny = [-0.025e-3, 0.025e-3]\n\
+         [roughness]\nball = { kind = \"gaussian\", rq = 0.3e-6, length_x = 25e-6, length_y = 25e-6, seed = 2 }\n\
+         disc = { kind = \"gaussian\", rq = 0.3e-6, length_x = 25e-6, length_y = 25e-6, seed = 2 }\n\
+         [cycle]\ntime = [0, 1, 2]\nload = [2e4, 1e5, 1.9e5]\nonce = true\nquasi_static = true\n",
+    )
+    .unwrap();
+    let solution = MixedLubricationSim::builder(scene).solve_cycle(&mut |_| true).unwrap();
+    assert_eq!(solution.points.len(), 1);
+    let Some(CycleEnd::BoxTooSmall { time, reason }) = solution.ended_early else {
+        panic!("{:?}", solution.ended_early)
+    };
+    assert_eq!((time, reason.field), (1.0, "grid.x"));
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use stribeck::sim::scene::{GridSpec, Roughness, RoughnessState};
-use stribeck::sim::{MixedLubricationSim, PassageSolution, Scene, StepRecord, solve_contact};
+use stribeck::sim::{MixedLubricationSim, PassageSolution, Scene, SimError, StepRecord, solve_contact};
 use stribeck::surface::{GrooveDirection, Texture};
 
 const TOML: &str = "form = { kind = \"cylinder\", radius = 10e-3 }\nelastic.equivalent_modulus = 230e9\nload.hertz_pressure = 0.8e9\n\
@@ -151,4 +151,25 @@ fn solved_contact_has_the_means_of_its_passage() {
     ] {
         assert!((value / scatter.mean - 1.0).abs() < 1e-12, "{value:e}, {scatter:?}");
     }
+}
+
+/// Solids that reach the edge of the box end a passage, which keeps its contacts. As a single contact it is an error.
+#[test]
+fn solids_at_the_edge_of_the_box_end_a_passage_that_keeps_its_contacts() {
+    let scene = Scene::from_toml(
+        "form = { kind = \"cylinder\", radius = 5e-3 }\nelastic.equivalent_modulus = 230e9\nload.hertz_pressure = 1.2e9\n\
+         motion = { entrainment_speed = 0.1, slide_roll_ratio = 0.25, roughness = \"moving\" }\n\
+         lubricant = { eta0 = 0.003, alpha = 15e-9, roelands_z = 0.6 }\n\
+         [grid]\nacross = \"periodic\"\nnx = 68\nny = 8\nx = [-0.25e-3, 0.175e-3]\ny = [-0.025e-3, 0.025e-3]\n\
+         [roughness]\nball = { kind = \"gaussian\", rq = 0.3e-6, length_x = 25e-6, length_y = 25e-6, seed = 2 }\n\
+         disc = { kind = \"gaussian\", rq = 0.3e-6, length_x = 25e-6, length_y = 25e-6, seed = 2 }\n",
+    )
+    .unwrap();
+    let mut observer = |_: &MixedLubricationSim, _: &StepRecord| ControlFlow::Continue(());
+    let passage = MixedLubricationSim::builder(scene.clone()).solve_passage(&mut observer).unwrap();
+    let reason = passage.ended_early.unwrap();
+    assert!(reason.contains("reaches the edge of the box") && reason.contains("take grid.x"), "{reason}");
+    assert!(passage.start_up > 60 && passage.records.len() > passage.start_up + 20);
+    assert!(passage.means.contact_load_ratio.mean > 0.05, "{:?}", passage.means);
+    assert!(matches!(solve_contact(&scene), Err(SimError::BoxTooSmall(_))));
 }
