@@ -37,6 +37,7 @@ impl Workspace {
             true => Start::Dry,
         };
         let mut status = self.attempt(start, problem, state, stop)?;
+        // Where the coarser grid is far from the solution, a larger pseudo-transient term converges.
         if is_recoverable(status) && start == Start::Soft(FROM_COARSE) {
             status = self.attempt(Start::Soft(FROM_DRY), problem, state, stop)?;
         }
