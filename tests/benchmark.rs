@@ -11,6 +11,7 @@ use stribeck::benchmark::{
 use stribeck::reynolds::{
     ContactSolver, ContactState, Evaluation, LubricatedContact, NewtonKrylov, ReynoldsError, StoppingRule,
 };
+use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{Scene, SimError, solve_contact};
 use stribeck::{Residuals, SolveReport, SolverId, Status, Work};
 
@@ -134,7 +135,25 @@ fn cases_without_solution_are_refused_and_known_by_the_summary() {
         assert_eq!(row.verdict, Verdict::Refused);
         assert!(row.reason.starts_with("plastic.hardness"), "{}", row.reason);
     }
-    assert!(!results.summary().contains("fails"), "{}", results.summary());
+    let words = results.summary();
+    assert!(!words.contains("fails"), "{words}");
+    assert!(
+        words.contains("Refused for every contestant: 2 runs.") && words.contains("plastic.hardness"),
+        "{words}"
+    );
+}
+
+#[test]
+fn estimates_of_mesh_errors_are_left_out_and_grids_by_accuracy_are_refused_with_the_remedy() {
+    let mut estimated = rough();
+    (estimated.scene.solver.estimate, estimated.scene.solver.accuracy) = (true, Some(0.02));
+    let mut adaptive = rough();
+    adaptive.name = "adaptive".to_owned();
+    adaptive.scene.grid = GridSpec::Accuracy { accuracy: 0.02 };
+    let results = Benchmark::new(vec![estimated, adaptive]).contestant(auto()).run().unwrap();
+    assert!(results.rows()[0].is_solved(), "{:?}", results.rows()[0]);
+    assert_eq!(results.rows()[1].verdict, Verdict::Refused);
+    assert!(results.rows()[1].reason.contains("replace it by nx, ny, x and y"), "{:?}", results.rows()[1]);
 }
 
 #[test]
@@ -300,6 +319,7 @@ fn case_files_are_read_and_their_errors_name_line_and_case() {
     assert!(error("[[case]]\nname = 1\nscene = \"s\"\n").contains("line 2"));
     assert!(error("[[case]]\nname = \"a\"\nscene = \"scene.toml\"\ntag = 1\n").contains("tag"));
     assert!(error("[[case]]\nname = \"a\"\nscene = \"none.toml\"\n").contains("case `a`"));
+    assert_eq!(error("[[case]]\nname = \"a\"\nscene = \"none.toml\"\n").matches("none.toml").count(), 1);
 }
 
 #[test]

@@ -116,9 +116,14 @@ fn toml_value(entry: &Bound<'_, PyAny>, path: &str) -> PyResult<Value> {
     Err(raise(py, "SceneError", &message, Some(path), Some(entry.clone())))
 }
 
-/// A value as Python shows it.
+/// Characters of a value that messages show.
+const MOST_SHOWN: usize = 100;
+
+/// A value as Python shows it; its type if that is long.
 pub(crate) fn shown(value: &Bound<'_, PyAny>) -> String {
-    value.repr().map_or_else(|_| String::new(), |text| text.to_string_lossy().into_owned())
+    let shown = value.repr().map_or_else(|_| String::new(), |text| text.to_string_lossy().into_owned());
+    let kind = || value.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
+    if shown.chars().count() > MOST_SHOWN { format!("a value of the type {}", kind()) } else { shown }
 }
 
 /// The dimensions of the quantities that functions take.

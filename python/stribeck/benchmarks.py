@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from . import _stribeck
-from ._arguments import whole
+from ._arguments import refused, whole
 from .laws import _solver
 from .scene import Scene, as_scene
 
@@ -69,7 +69,7 @@ class Benchmark:
 
 def benchmark(
     cases: str | Mapping[str, Scene | Mapping[str, Any] | str | os.PathLike[str]] = "battery",
-    solvers: Iterable[Any] | Mapping[str, Any] = ("auto",),
+    solvers: str | Iterable[Any] | Mapping[str, Any] = ("auto",),
     *,
     seed: int = 1,
     tag: str | None = None,
@@ -109,11 +109,15 @@ def benchmark(
     >>> sorted({row["verdict"] for row in found.rows})
     ['converged']
     """
+    if isinstance(solvers, str):
+        solvers = [solvers]
+    if whole("every", every) == 0:
+        raise refused("every", every, "a whole number from 1")
     named = solvers.items() if isinstance(solvers, Mapping) else ((None, solver) for solver in solvers)
     scenes = cases if isinstance(cases, str) else [(str(name), as_scene(scene)._raw) for name, scene in cases.items()]
     plan = {
         "seed": whole("seed", seed),
-        "every": max(whole("every", every), 1),
+        "every": whole("every", every),
         "tag": tag,
         "tolerances": [float(tolerance) for tolerance in tolerances],
         "meshes": [whole("meshes", mesh) for mesh in meshes],

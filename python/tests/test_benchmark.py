@@ -44,3 +44,13 @@ def test_unknown_names_are_refused() -> None:
         stribeck.benchmark(solvers=["auto:halvings=1"])
     with pytest.raises(stribeck.StribeckError, match="seed"):
         stribeck.benchmark(seed=-1)
+    with pytest.raises(stribeck.InputError, match="every = 0"):
+        stribeck.benchmark(every=0)
+    with pytest.raises(stribeck.StribeckError, match="unknown value `autto`"):
+        stribeck.benchmark(solvers="autto")
+
+
+def test_reason_of_a_solver_that_returns_its_state_is_short() -> None:
+    found = stribeck.benchmark({"a": stribeck.Scene.azam_2019(16)}, {"states": lambda problem, state: state})
+    (row,) = found.rows
+    assert row["verdict"] == "refused" and row["reason"].endswith("it returned a value of the type ContactState")

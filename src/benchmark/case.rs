@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::limits::Limits;
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::sim::scene::GridSpec;
 use crate::sim::{MixedLubricationSim, Scene, SimBuilder, SimError};
 use crate::surface::{Advected, Heights, RoughnessSpec, generate};
 use crate::with_fields::with_fields;
@@ -146,6 +147,10 @@ impl Case {
 
     /// A builder of the contact of `scene`, a variant of that of the case, with the heights of the case.
     pub(super) fn builder(&self, scene: Scene) -> Result<SimBuilder, SimError> {
+        if matches!(scene.grid, GridSpec::Accuracy { .. }) {
+            let reason = "a benchmark solves on given cells: replace it by nx, ny, x and y".to_owned();
+            return Err(InputError::Conflict { field: "grid.accuracy".to_owned(), reason }.into());
+        }
         let heights = match &self.heights {
             Some(heights) => Some((heights.0)(&scene.grid()?)?),
             None => None,

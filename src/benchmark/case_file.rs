@@ -86,8 +86,13 @@ pub(super) fn load(path: &Path) -> Result<Vec<Case>, SimError> {
 
 fn case(table: CaseTable, folder: &Path) -> Result<Case, SimError> {
     let CaseTable { name, scene, tags, parameters, history, reference } = table;
-    let scene = Scene::load(folder.join(&scene)).map_err(|error| SimError::Scene {
-        reason: format!("case `{name}`: {}: {error}", folder.join(&scene).display()),
+    let path = folder.join(&scene);
+    let scene = Scene::load(&path).map_err(|error| {
+        let reason = match &error {
+            SimError::Io { .. } => format!("case `{name}`: {error}"),
+            _ => format!("case `{name}`: {}: {error}", path.display()),
+        };
+        SimError::Scene { reason }
     })?;
     let history = history.map(|table| {
         let HistoryTable { contacts, time_step, is_transient } = table;

@@ -17,10 +17,11 @@ pub(super) struct Job {
 }
 
 impl Job {
-    /// The scene that is solved.
+    /// The scene that is solved, on one mesh: without an estimate of mesh errors.
     pub(super) fn scene(&self) -> Scene {
         let mut scene = self.case.scene.clone();
         scene.solver.tolerance = self.tolerance;
+        (scene.solver.estimate, scene.solver.accuracy) = (false, None);
         if let Some(cells) = self.mesh {
             scene.grid = scene.grid.with_nx(cells);
         }

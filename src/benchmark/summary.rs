@@ -6,7 +6,7 @@ use std::fmt::{Result as Written, Write as _};
 use super::results::{Results, distinct};
 use super::row::{Row, Verdict};
 
-/// Failed runs that are listed for each contestant.
+/// Failed runs that are listed of each kind.
 const LISTED: usize = 10;
 
 impl Results {
@@ -103,8 +103,14 @@ fn order(text: &mut String, results: &Results, unit: &str, cost: impl Fn(&Row) -
     writeln!(text, ".")
 }
 
-/// Runs that were not solved, apart from those that all contestants refuse.
+/// Runs that were not solved: those that all contestants refuse, then those of each contestant.
 fn failures(text: &mut String, results: &Results) -> Written {
+    let first = results.contestants().first().copied().unwrap_or_default();
+    let refused: Vec<&Row> = results.of(first).filter(|row| is_refused_by_all(row, results)).collect();
+    if !refused.is_empty() {
+        writeln!(text, "Refused for every contestant: {} runs.", refused.len())?;
+        listed(text, &refused)?;
+    }
     for contestant in results.contestants() {
         let failed: Vec<&Row> = results
             .of(contestant)
@@ -114,14 +120,20 @@ fn failures(text: &mut String, results: &Results) -> Written {
             continue;
         }
         writeln!(text, "{contestant} fails in {} of {} runs:", failed.len(), results.of(contestant).count())?;
-        for row in failed.iter().take(LISTED) {
-            write!(text, "  {} ({} cells, {:e}): {}", row.case, row.cells, row.tolerance, row.verdict)?;
-            let separator = if row.reason.is_empty() { "" } else { ": " };
-            writeln!(text, "{separator}{}", row.reason)?;
-        }
-        if failed.len() > LISTED {
-            writeln!(text, "  and {} more", failed.len() - LISTED)?;
-        }
+        listed(text, &failed)?;
+    }
+    Ok(())
+}
+
+/// The first of the failed runs, with their reasons.
+fn listed(text: &mut String, failed: &[&Row]) -> Written {
+    for row in failed.iter().take(LISTED) {
+        write!(text, "  {} ({} cells, {:e}): {}", row.case, row.cells, row.tolerance, row.verdict)?;
+        let separator = if row.reason.is_empty() { "" } else { ": " };
+        writeln!(text, "{separator}{}", row.reason)?;
+    }
+    if failed.len() > LISTED {
+        writeln!(text, "  and {} more", failed.len() - LISTED)?;
     }
     Ok(())
 }

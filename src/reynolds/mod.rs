@@ -51,6 +51,8 @@ pub use given_film::{
 };
 pub use journal::{ElasticBore, Grooves, Holes, JournalBearing, JournalSolution};
 pub use multigrid::Multigrid;
+#[cfg(feature = "testing")]
+pub(crate) use newton_krylov::FluidBlock;
 pub use newton_krylov::{NewtonKrylov, NewtonSettings};
 pub(crate) use problem::outermost;
 pub use problem::{ContactDefinition, LubricatedContact};

@@ -16,8 +16,8 @@
 //! | [`roughness_motion`] | fractions within a column, offsets by arguments alone, constant offset of fixed bodies |
 //! | [`contact_solver`] | a smooth contact: load, bounds, residuals, restart; invalid input rejected |
 //!
-//! Strategies for proptest: [`scenes`], [`absurd_scenes`] and [`pressures`]. [`StencilLu`] gives the sparse
-//! factorization of Newton's preconditioner to comparisons.
+//! Strategies for proptest: [`scenes`], [`absurd_scenes`] and [`pressures`]. [`StencilLu`] is the sparse
+//! factorization of Newton's preconditioner, [`newton_by`] takes another one in its place: for comparisons.
 
 mod absurd;
 mod boundary_friction;
@@ -41,7 +41,7 @@ pub use film_growth::film_growth_law;
 pub use fluid::{density_law, viscosity_law};
 pub use motion::roughness_motion;
 pub use plasticity::plasticity_model;
-pub use stencil_lu::StencilLu;
+pub use stencil_lu::{StencilFactorization, StencilLu, newton_by};
 pub use strategies::{pressures, scenes};
 use thiserror::Error;
 pub use wear::wear_law;

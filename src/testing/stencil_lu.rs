@@ -1,4 +1,58 @@
+use std::fmt::Debug;
+
 use crate::numerics::GridLu;
+use crate::reynolds::{FluidBlock, NewtonKrylov, NewtonSettings};
+
+/// A factorization of matrices on the five-point stencil, see [`StencilLu`] for their layout.
+pub trait StencilFactorization: Debug + Send + Sync + 'static {
+    /// For grids of `nx` by `ny` nodes.
+    fn new(nx: usize, ny: usize) -> Self;
+
+    /// Factorizes the matrix. Returns whether its factors are finite.
+    fn factorize(&mut self, stencil: &[f32]) -> bool;
+
+    /// Overwrites the right-hand side with the solution.
+    fn solve(&mut self, right_hand_side: &mut [f32]);
+}
+
+/// Newton's method with the factorization `F` in its preconditioner, for comparisons of factorizations on contacts.
+///
+/// ```
+/// use stribeck::benchmark::{Benchmark, Cases, Contestant};
+/// use stribeck::testing::{StencilLu, newton_by};
+/// let cases = Cases::named("battery", 1)?.tagged("smooth").every(30);
+/// let results = Benchmark::new(cases)
+///     .contestant(Contestant::named("newton_krylov")?)
+///     .contestant(Contestant::new("stencil_lu", |_| Box::new(newton_by::<StencilLu>())))
+///     .meshes([16])
+///     .run()?;
+/// for pair in results.rows().chunks(2) {
+///     assert_eq!(pair[0].all_convolutions, pair[1].all_convolutions);
+/// }
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+pub fn newton_by<F: StencilFactorization>() -> NewtonKrylov {
+    NewtonKrylov::by(|grid| Box::new(Block(F::new(grid.nx(), grid.ny()))), NewtonSettings::default())
+}
+
+/// A custom factorization as a part of the preconditioner.
+#[derive(Debug)]
+struct Block<F>(F);
+
+impl<F: StencilFactorization> FluidBlock for Block<F> {
+    fn prepare(&mut self, stencil: &[f32], _must_stop: &(dyn Fn() -> bool + Sync)) -> bool {
+        self.0.factorize(stencil)
+    }
+
+    fn solve(&mut self, _stencil: &[f32], rhs: &mut [f32]) {
+        self.0.solve(rhs);
+    }
+
+    /// All rows have the same weight, as for the factorization of the crate.
+    fn row_size(&self, _diagonal: f32) -> f32 {
+        1.0
+    }
+}
 
 /// The sparse LU factorization of Newton's preconditioner, for comparisons with other factorizations.
 ///
@@ -39,5 +93,19 @@ impl StencilLu {
     /// Solves in place; without a factorization the right-hand side is unchanged.
     pub fn solve(&mut self, right_hand_side: &mut [f32]) {
         self.0.solve(right_hand_side);
+    }
+}
+
+impl StencilFactorization for StencilLu {
+    fn new(nx: usize, ny: usize) -> Self {
+        Self::new(nx, ny)
+    }
+
+    fn factorize(&mut self, stencil: &[f32]) -> bool {
+        Self::factorize(self, stencil)
+    }
+
+    fn solve(&mut self, right_hand_side: &mut [f32]) {
+        Self::solve(self, right_hand_side);
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 use stribeck::Grid;
 use stribeck::lubricant::{Barus, DowsonHigginson, Incompressible, Lubricant};
-use stribeck::reynolds::{FilmThickness, GivenFilm};
+use stribeck::reynolds::{FilmThickness, GivenFilm, SideEdges};
 
 use crate::pocket_slider::{ETA, PocketSlider};
 use crate::report::{Effort, Number, Outcome, Row};
@@ -169,6 +169,51 @@ pub(crate) fn slider(effort: Effort) -> Outcome<Row> {
         quantity: "Sliders with a pocket, cavitation",
         reference: "closed form: integrals of the film, after Fowell et al. (2007) and Giacopini et al. (2010)",
         range: "10 mm, films 1 to 6 um, 1e-4 to 5 m/s, 1000 cells",
+        numbers,
+        extra: String::new(),
+        figures: Vec::new(),
+    })
+}
+
+/// Pressure at the step and load per width of a wide bearing with films `first` over the length `before` and `second` over
+/// `after` by Reynolds' equation, whose pressure is linear on both sides of the step.
+fn step_pressure([first, second]: [f64; 2], [before, after]: [f64; 2], speed: f64) -> [f64; 2] {
+    let peak = 6.0 * ETA * speed * before * after * (first - second)
+        / (after * first.powi(3) + before * second.powi(3));
+    [peak, 0.5 * peak * (before + after)]
+}
+
+pub(crate) fn step_bearing(_effort: Effort) -> Outcome<Row> {
+    let oil = Lubricant::new(Barus::new(ETA, 0.0)?, Incompressible);
+    let (second, length, speed) = (10e-6, 10e-3, 2.0);
+    let mut numbers = Vec::new();
+    // The largest load has the ratio of films 1.866 and the share of length 0.718.
+    for (ratio, share) in [(1.5, 0.5), (1.866, 0.718), (4.0, 0.9)] {
+        let grid = Grid::from_edges(1000, 1, [0.0, length], [0.0, 1.0])?;
+        let step = share * length;
+        let film = FilmThickness::from_function(grid, |x, _| if x < step { ratio * second } else { second })?;
+        let problem = GivenFilm::new(&film, &oil, [speed, 0.0]).with_sides(SideEdges::Closed);
+        let solution = problem.solve()?;
+        solution.report.require_converged()?;
+        let [peak, load] = step_pressure([ratio * second, second], [step, length - step], speed);
+        let case = format!("films {ratio} to 1; step at {share}");
+        let found = solution.pressure_at(step, 0).ok_or("no pressure")?;
+        let mpa = 1e-6;
+        numbers.push(Number::relative(
+            "pressure at the step",
+            case.clone(),
+            "MPa",
+            mpa * peak,
+            mpa * found,
+            1e-9,
+        ));
+        numbers.push(Number::relative("load", case, "N/m", load, solution.load, 1e-5));
+    }
+    Ok(Row {
+        name: "step_bearing",
+        quantity: "Step bearings",
+        reference: "closed form: Rayleigh (1918)",
+        range: "10 mm, films 10 to 40 um, 1000 cells",
         numbers,
         extra: String::new(),
         figures: Vec::new(),

@@ -1,8 +1,9 @@
 //! Dry contacts: Hertz, the stresses below, and the contact area of rough bodies.
 
 use rayon::prelude::*;
-use stribeck::analytic::HertzPoint;
-use stribeck::elastic::stress_extremes;
+use stribeck::Grid;
+use stribeck::analytic::{HertzPoint, Westergaard};
+use stribeck::elastic::{DryProblem, DrySolver, PeriodicHalfSpace, stress_extremes};
 use stribeck::metrics::hybrid_parameters;
 use stribeck::sim::scene::{GridSpec, Load, SolverKind};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
@@ -199,6 +200,48 @@ pub(crate) fn contact_area(effort: Effort) -> Outcome<Row> {
         quantity: "Contact area of rough bodies over the load",
         reference: "bounds by theory: Persson (2001), 1.60, and Bush, Gibson and Thomas (1975), 2.51",
         range: "dry, Gaussian roughness on a ball, peak pressure of the smooth ball 0.1 and 0.2 of E* times the gradient",
+        numbers,
+        extra: String::new(),
+        figures: Vec::new(),
+    })
+}
+
+/// Mean gap and largest pressure of one wave on `n` cells under a share of the pressure of full contact.
+fn wave(exact: &Westergaard, mean_pressure: f64, n: usize) -> Outcome<[f64; 2]> {
+    let grid = Grid::centred(n, 1, exact.wavelength / n as f64, 1.0)?;
+    let gap: Vec<f64> = grid
+        .nodes()
+        .map(|(x, _)| exact.amplitude * (1.0 - (std::f64::consts::TAU * x / exact.wavelength).cos()))
+        .collect();
+    let mut body = PeriodicHalfSpace::new(grid, exact.equivalent_modulus)?;
+    let (mut solver, mut pressure) = (DrySolver::new(n), vec![0.0; n]);
+    let problem = DryProblem { gap: &gap, load: mean_pressure * grid.size_x(), limit: None };
+    if !solver.solve(&problem, &mut body, &mut pressure, 1e-10, 1000)?.converged {
+        return Err("the wave has not converged".into());
+    }
+    let mean_gap = solver.gap().iter().sum::<f64>() / n as f64;
+    Ok([mean_gap, pressure.iter().copied().fold(0.0, f64::max)])
+}
+
+pub(crate) fn wavy_surface(_effort: Effort) -> Outcome<Row> {
+    let exact = Westergaard { amplitude: 1e-7, wavelength: 1e-4, equivalent_modulus: 230e9 };
+    let n = 513;
+    let mut numbers = Vec::new();
+    for share in [0.02, 0.1, 0.3, 0.6, 0.9] {
+        let mean_pressure = share * exact.full_contact_pressure()?;
+        let [gap, peak] = wave(&exact, mean_pressure, n)?;
+        let case = format!("{share} of full contact; {n} cells");
+        let (known, mpa) = (exact.mean_gap(mean_pressure)? / exact.amplitude, 1e-6);
+        let gap = gap / exact.amplitude;
+        numbers.push(Number::absolute("mean gap over amplitude", case.clone(), "", known, gap, 1e-4));
+        let known = mpa * exact.pressure_at(0.0, mean_pressure)?;
+        numbers.push(Number::relative("largest pressure", case, "MPa", known, mpa * peak, 2e-3));
+    }
+    Ok(Row {
+        name: "wavy_surface",
+        quantity: "Dry wavy surfaces",
+        reference: "closed form: Westergaard (1939)",
+        range: "0.02 to 0.9 of the pressure of full contact",
         numbers,
         extra: String::new(),
         figures: Vec::new(),

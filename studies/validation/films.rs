@@ -154,3 +154,51 @@ pub(crate) fn rigid(_: Effort) -> Outcome<Row> {
         figures: Vec::new(),
     })
 }
+
+/// Radius \[m\], equivalent modulus \[Pa\], load \[N\], viscosity \[Pa s\], mean speed \[m/s\] of soft balls.
+const SOFT: [(&str, [f64; 5]); 4] = [
+    ("hip", [0.8, 2e9, 1000.0, 5e-3, 0.02]),
+    ("rubber", [0.01, 13e6, 5.0, 0.05, 0.05]),
+    ("rubber; 0.5 m/s", [0.01, 13e6, 5.0, 0.05, 0.5]),
+    ("gel", [0.01, 1e6, 0.1, 0.01, 0.02]),
+];
+
+/// Films by the formulas of Hamrock and Dowson and of Nijenbanning, Venner and Moes, and film of the solution \[m\].
+fn soft_ball([radius, modulus, load, eta0, speed]: [f64; 5]) -> Outcome<[f64; 3]> {
+    let alpha = 1e-9;
+    let oil = LubricantSpec::roelands(eta0, 0.6).with_alpha(Some(alpha));
+    let mut scene = scene(Form::Sphere { radius }, load, speed, oil);
+    scene.elastic.equivalent_modulus = modulus;
+    let a = scene.hertz()?.half_width_x;
+    scene.grid = GridSpec::Cells { nx: 128, ny: 96, x: [-4.0 * a, 2.0 * a], y: [-2.25 * a, 2.25 * a] };
+    let conditions = FilmConditions {
+        entrainment_speed: speed,
+        eta0,
+        alpha,
+        equivalent_modulus: modulus,
+        radius,
+        load,
+        ellipticity: 1.0,
+    };
+    Ok([conditions.hamrock_dowson_soft()?, conditions.moes_central()?, central(&scene)?])
+}
+
+pub(crate) fn soft(effort: Effort) -> Outcome<Row> {
+    let cases = if effort.is_full() { &SOFT[..] } else { &SOFT[..2] };
+    let films: Vec<_> = cases.par_iter().map(|(_, ball)| soft_ball(*ball)).collect::<Outcome<_>>()?;
+    let mut numbers = Vec::new();
+    for ((name, _), film) in cases.iter().zip(films) {
+        let [dowson, moes, found] = film.map(|film| 1e6 * film);
+        numbers.push(Number::relative("Hamrock and Dowson (1978)", *name, "um", dowson, found, 0.2));
+        numbers.push(Number::relative("Nijenbanning, Venner and Moes (1994)", *name, "um", moes, found, 0.1));
+    }
+    Ok(Row {
+        name: "soft_films",
+        quantity: "Central films of soft balls",
+        reference: "fits to computations: Hamrock and Dowson (1978); Nijenbanning, Venner and Moes (1994)",
+        range: "equivalent modulus 1 MPa to 2 GPa, nearly isoviscous oil",
+        numbers,
+        extra: String::new(),
+        figures: Vec::new(),
+    })
+}

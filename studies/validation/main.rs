@@ -57,7 +57,7 @@ usage: cargo run --release -p studies --bin validation -- [ROW ...] [--quick] [-
 type Compute = fn(Effort) -> Outcome<Row>;
 
 /// In the order of the page: measurements, independent computations, closed forms, fits.
-const ROWS: [(&str, Compute); 18] = [
+const ROWS: [(&str, Compute); 21] = [
     ("mourier", mourier::row),
     ("rig", rig::row),
     ("crowned_rollers", ellipses::row),
@@ -69,12 +69,15 @@ const ROWS: [(&str, Compute); 18] = [
     ("waves", waves::row),
     ("inlet_heat", inlet_heat::row),
     ("slider", bearings::slider),
+    ("step_bearing", bearings::step_bearing),
     ("hertz", dry::hertz),
+    ("wavy_surface", dry::wavy_surface),
     ("subsurface", dry::subsurface),
     ("contact_area", dry::contact_area),
     ("point_films", films::points),
     ("line_films", films::lines),
     ("rigid_films", films::rigid),
+    ("soft_films", films::soft),
     ("starvation", starvation::row),
 ];
 
@@ -175,13 +178,16 @@ mod tests {
         journal_bearings_match_the_table: "journal_bearings";
         pocket_has_the_published_peak: "pocket";
         slider_with_a_pocket_is_that_of_the_integrals: "slider";
+        step_bearing_has_the_load_of_the_closed_form: "step_bearing";
         dry_contacts_are_those_of_hertz: "hertz";
+        wavy_surface_has_the_gap_of_westergaard: "wavy_surface";
         stresses_below_the_surface_are_those_of_johnson: "subsurface";
         contact_area_over_load_lies_between_the_bounds: "contact_area";
         waves_have_the_published_amplitudes: "waves";
         point_films_are_near_the_formula: "point_films";
         line_films_are_near_the_formula: "line_films";
         film_of_a_rigid_ball_is_near_the_formula: "rigid_films";
+        films_of_soft_balls_are_near_the_formulas: "soft_films";
         starved_films_lie_between_the_published_curves: "starvation";
         heated_inlets_are_near_the_independent_solution: "inlet_heat";
     }

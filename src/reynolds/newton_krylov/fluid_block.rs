@@ -6,7 +6,7 @@ use crate::numerics::GridLu;
 
 /// Solves the fluid equations in which films respond to their own pressures alone: a matrix on the five-point
 /// stencil, row `k` at `stencil[5 k..5 k + 5]` in the order center, east, west, north, south.
-pub(in crate::reynolds) trait FluidBlock: Debug + Send + Sync {
+pub(crate) trait FluidBlock: Debug + Send + Sync {
     /// Factorizes a new matrix; false where it has no finite factors or `must_stop` becomes true.
     fn prepare(&mut self, stencil: &[f32], must_stop: &(dyn Fn() -> bool + Sync)) -> bool;
 

@@ -54,7 +54,7 @@ mod unknowns;
 mod weak_coupling;
 mod window;
 
-pub(super) use fluid_block::FluidBlock;
+pub(crate) use fluid_block::FluidBlock;
 use linear_system::LinearSystem;
 use local_elimination::LocalElimination;
 use newton::Newton;
@@ -131,7 +131,7 @@ impl NewtonKrylov {
     }
 
     /// A solver whose fluid equations are solved by `fluid_block`.
-    pub(super) fn by(fluid_block: fn(&Grid) -> Box<dyn FluidBlock>, settings: NewtonSettings) -> Self {
+    pub(crate) fn by(fluid_block: fn(&Grid) -> Box<dyn FluidBlock>, settings: NewtonSettings) -> Self {
         Self { fluid_block, settings, workspace: None }
     }
 

@@ -3,10 +3,13 @@
 //!
 //! ```text
 //! RAYON_NUM_THREADS=1 cargo run --release --manifest-path tests/peers/sparse_lu/Cargo.toml
+//! cargo run --release --manifest-path tests/peers/sparse_lu/Cargo.toml -- 5   # both in Newton's method, every fifth contact of the battery
 //! ```
 //!
 //! The matrices are upwind convection and diffusion with coefficients over six decades, as cubes of films are. Nodes in
 //! patches, a fifth of all, are decoupled, as those in solid contact are.
+
+mod contacts;
 
 use std::error::Error;
 use std::time::Instant;
@@ -22,6 +25,9 @@ const SIDES: [usize; 5] = [64, 128, 256, 512, 1024];
 const SECONDS: f64 = 1.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
+    if let Some(every) = std::env::args().nth(1) {
+        return contacts::compare(every.parse()?);
+    }
     println!("| nodes | own: factor, solve | faer: pattern, factor, solve | largest difference |");
     println!("|---|---|---|---|");
     for n in SIDES {
@@ -75,14 +81,20 @@ fn stencil(n: usize) -> Vec<f32> {
         (31.0 * x + 3.0 * (17.0 * y).sin()).sin() * (29.0 * y + 2.0 * (19.0 * x).cos()).sin()
     };
     let is_solid = |k: usize| wave(k % n, k / n) > 0.42;
-    let conductance = |a: usize, b: usize| 10.0_f64.powf(-3.0 - 3.0 * wave(a % n, a / n).max(wave(b % n, b / n)));
+    let conductance =
+        |a: usize, b: usize| 10.0_f64.powf(-3.0 - 3.0 * wave(a % n, a / n).max(wave(b % n, b / n)));
     let mut stencil = vec![0.0; 5 * n * n];
     for k in 0..n * n {
         if is_solid(k) {
             stencil[5 * k] = 1.0;
             continue;
         }
-        let neighbors = [(k % n + 1 < n, 1_isize), (k % n > 0, -1), (k / n + 1 < n, n as isize), (k / n > 0, -(n as isize))];
+        let neighbors = [
+            (k % n + 1 < n, 1_isize),
+            (k % n > 0, -1),
+            (k / n + 1 < n, n as isize),
+            (k / n > 0, -(n as isize)),
+        ];
         let mut center = 1e-7;
         for (side, (exists, offset)) in neighbors.into_iter().enumerate() {
             let flow = if exists { conductance(k, k.wrapping_add_signed(offset)) } else { conductance(k, k) };
