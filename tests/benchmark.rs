@@ -138,7 +138,7 @@ fn cases_without_solution_are_refused_and_known_by_the_summary() {
     let words = results.summary();
     assert!(!words.contains("fails"), "{words}");
     assert!(
-        words.contains("Refused for every contestant: 2 runs.") && words.contains("plastic.hardness"),
+        words.contains("2 of 2 runs are refused for every contestant") && words.contains("plastic.hardness"),
         "{words}"
     );
 }

@@ -108,7 +108,8 @@ fn failures(text: &mut String, results: &Results) -> Written {
     let first = results.contestants().first().copied().unwrap_or_default();
     let refused: Vec<&Row> = results.of(first).filter(|row| is_refused_by_all(row, results)).collect();
     if !refused.is_empty() {
-        writeln!(text, "Refused for every contestant: {} runs.", refused.len())?;
+        let count = results.of(first).count();
+        writeln!(text, "{} of {count} runs are refused for every contestant:", refused.len())?;
         listed(text, &refused)?;
     }
     for contestant in results.contestants() {

@@ -26,8 +26,9 @@ pub trait StencilFactorization: Debug + Send + Sync + 'static {
 ///     .contestant(Contestant::new("stencil_lu", |_| Box::new(newton_by::<StencilLu>())))
 ///     .meshes([16])
 ///     .run()?;
-/// for pair in results.rows().chunks(2) {
-///     assert_eq!(pair[0].all_convolutions, pair[1].all_convolutions);
+/// let (first, second) = results.rows().split_at(results.rows().len() / 2);
+/// for (first, second) in first.iter().zip(second) {
+///     assert_eq!(first.all_convolutions, second.all_convolutions);
 /// }
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```

@@ -207,7 +207,7 @@ pub(crate) fn step_bearing(_effort: Effort) -> Outcome<Row> {
             mpa * found,
             1e-9,
         ));
-        numbers.push(Number::relative("load", case, "N/m", load, solution.load, 1e-5));
+        numbers.push(Number::relative("load", case, "N/m", load, solution.load, 1e-9));
     }
     Ok(Row {
         name: "step_bearing",

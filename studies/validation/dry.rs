@@ -233,9 +233,9 @@ pub(crate) fn wavy_surface(_effort: Effort) -> Outcome<Row> {
         let case = format!("{share} of full contact; {n} cells");
         let (known, mpa) = (exact.mean_gap(mean_pressure)? / exact.amplitude, 1e-6);
         let gap = gap / exact.amplitude;
-        numbers.push(Number::absolute("mean gap over amplitude", case.clone(), "", known, gap, 1e-4));
+        numbers.push(Number::absolute("mean gap over amplitude", case.clone(), "", known, gap, 2e-5));
         let known = mpa * exact.pressure_at(0.0, mean_pressure)?;
-        numbers.push(Number::relative("largest pressure", case, "MPa", known, mpa * peak, 2e-3));
+        numbers.push(Number::relative("largest pressure", case, "MPa", known, mpa * peak, 1e-4));
     }
     Ok(Row {
         name: "wavy_surface",

@@ -170,7 +170,7 @@ fn soft_ball([radius, modulus, load, eta0, speed]: [f64; 5]) -> Outcome<[f64; 3]
     let mut scene = scene(Form::Sphere { radius }, load, speed, oil);
     scene.elastic.equivalent_modulus = modulus;
     let a = scene.hertz()?.half_width_x;
-    scene.grid = GridSpec::Cells { nx: 128, ny: 96, x: [-4.0 * a, 2.0 * a], y: [-2.25 * a, 2.25 * a] };
+    scene.grid = GridSpec::Cells { nx: 192, ny: 160, x: [-3.0 * a, 2.0 * a], y: [-2.25 * a, 2.25 * a] };
     let conditions = FilmConditions {
         entrainment_speed: speed,
         eta0,
@@ -189,7 +189,7 @@ pub(crate) fn soft(effort: Effort) -> Outcome<Row> {
     let mut numbers = Vec::new();
     for ((name, _), film) in cases.iter().zip(films) {
         let [dowson, moes, found] = film.map(|film| 1e6 * film);
-        numbers.push(Number::relative("Hamrock and Dowson (1978)", *name, "um", dowson, found, 0.2));
+        numbers.push(Number::relative("Hamrock and Dowson (1978)", *name, "um", dowson, found, 0.3));
         numbers.push(Number::relative("Nijenbanning, Venner and Moes (1994)", *name, "um", moes, found, 0.1));
     }
     Ok(Row {
