@@ -140,6 +140,44 @@ fn point(lubricant: &Lubricant, pressure: f64) -> [f64; 4] {
     [at.reduced_pressure, at.reduced_slope, at.density, at.density_slope]
 }
 
+/// The faces along x, with coefficients of entrainment and pressure flow.
+fn faces_along(problem: &GivenFilm<'_>, film: &FilmThickness, entrained: f64, drag: f64) -> Vec<Face> {
+    let grid = film.grid();
+    let (nx, ny) = (grid.nx(), grid.ny());
+    let node = |i: usize, j: usize| (grid.x(i), grid.y(j));
+    let mut faces = Vec::with_capacity((nx + 1) * ny);
+    for (j, i) in (0..ny).flat_map(|j| (0..=nx).map(move |i| (j, i))) {
+        let [first, second] = problem.pieces(film, i, j);
+        let whole = first.and(second);
+        let free_share =
+            if 0 < i && i < nx { free_share(problem.feeds, node(i - 1, j), node(i, j)) } else { 1.0 };
+        faces.push(Face {
+            film: entrained * whole.film(),
+            first_film: entrained * first.film(),
+            conductance: 1.0 / (drag * free_share * whole.cubes),
+            first_conductance: 1.0 / (drag * free_share * first.cubes),
+            free_share,
+        });
+    }
+    faces
+}
+
+/// Conductances of the faces along y; zero at closed sides.
+fn conductances_across(problem: &GivenFilm<'_>, film: &FilmThickness, drag: f64) -> Vec<f64> {
+    let grid = film.grid();
+    let (nx, ny, aspect) = (grid.nx(), grid.ny(), grid.dx() / grid.dy());
+    let node = |i: usize, j: usize| (grid.x(i), grid.y(j));
+    let is_closed = ny == 1 || problem.sides == SideEdges::Closed;
+    let mut across = Vec::with_capacity(nx * (ny + 1));
+    for (j, i) in (0..=ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
+        let is_side = j == 0 || j == ny;
+        let share = if is_side { 1.0 } else { free_share(problem.feeds, node(i, j - 1), node(i, j)) };
+        let is_shut = is_closed && is_side;
+        across.push(if is_shut { 0.0 } else { aspect / (drag * share * problem.cubes_across(film, i, j)) });
+    }
+    across
+}
+
 impl<'a> Balance<'a> {
     /// The balance of `film` under the conditions of `problem`, entrained with `speed` along +x, 0 or more.
     pub(super) fn new(problem: &GivenFilm<'a>, film: &'a FilmThickness, speed: f64) -> Self {
@@ -147,30 +185,8 @@ impl<'a> Balance<'a> {
         let (nx, ny) = (grid.nx(), grid.ny());
         let (entrained, unit) = if speed > 0.0 { (1.0, speed) } else { (0.0, 1.0) };
         let drag = 12.0 * problem.lubricant.viscosity().viscosity(0.0) * unit;
-        let node = |i: usize, j: usize| (grid.x(i), grid.y(j));
-        let mut faces = Vec::with_capacity((nx + 1) * ny);
-        for (j, i) in (0..ny).flat_map(|j| (0..=nx).map(move |i| (j, i))) {
-            let [first, second] = problem.pieces(film, i, j);
-            let whole = first.and(second);
-            let free_share =
-                if 0 < i && i < nx { free_share(problem.feeds, node(i - 1, j), node(i, j)) } else { 1.0 };
-            faces.push(Face {
-                film: entrained * whole.film(),
-                first_film: entrained * first.film(),
-                conductance: 1.0 / (drag * free_share * whole.cubes),
-                first_conductance: 1.0 / (drag * free_share * first.cubes),
-                free_share,
-            });
-        }
-        let closed = ny == 1 || problem.sides == SideEdges::Closed;
-        let aspect = grid.dx() / grid.dy();
-        let mut across = Vec::with_capacity(nx * (ny + 1));
-        for (j, i) in (0..=ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
-            let shut = closed && (j == 0 || j == ny);
-            let share =
-                if 0 < j && j < ny { free_share(problem.feeds, node(i, j - 1), node(i, j)) } else { 1.0 };
-            across.push(if shut { 0.0 } else { aspect / (drag * share * problem.cubes_across(film, i, j)) });
-        }
+        let faces = faces_along(problem, film, entrained, drag);
+        let across = conductances_across(problem, film, drag);
         let [q_cavitation, slope, density, _] = point(problem.lubricant, problem.cavitation_pressure);
         let at_edge = |pressure: f64| {
             let [q, _, density, _] = point(problem.lubricant, pressure);

@@ -141,7 +141,6 @@ impl Row {
         } else {
             first.theta
         };
-        // Shear of both pieces.
         let ends = [[pressures[0], middle], [middle, pressures[1]]];
         let nominal = problem.film.along(i, j).pieces;
         for (((piece, length), theta), ends) in

@@ -148,11 +148,7 @@ impl JournalBearing<'_> {
         let supply = self.bush().supply(attitude);
         self.bush().validate_holes(&supply)?;
         let (land, pressure) = (supply.land, supply.end_pressure);
-        let gap = |x: f64| self.clearance * (1.0 + eccentricity * (x / self.radius).cos());
-        let film = FilmThickness::from_function(grid, |x, y| {
-            gap(x)
-                + if widening.is_empty() { 0.0 } else { grid.interpolate(widening, x, y).unwrap_or(f64::NAN) }
-        })?;
+        let film = self.film_thickness(grid, eccentricity, widening)?;
         let speed = self.angular_speed * self.radius;
         let mut solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0])
             .with_edge_pressures([pressure, pressure, 0.0, 0.0])
@@ -165,7 +161,7 @@ impl JournalBearing<'_> {
         let viscosity = self.lubricant.viscosity().viscosity(0.0);
         let through_land = match supply.first_groove {
             Some([middle, width]) if land > 0.0 => {
-                width * gap(middle).powi(3) * pressure / (12.0 * viscosity * land)
+                width * self.gap(eccentricity, middle).powi(3) * pressure / (12.0 * viscosity * land)
             }
             _ => 0.0,
         };
@@ -199,6 +195,25 @@ impl JournalBearing<'_> {
             hole_flow: if begins_at_hole { holes + at_ends } else { holes },
             bore_widening: widening.iter().copied().fold(0.0, f64::max),
             film: solution,
+        })
+    }
+
+    /// Film of the round bore at the distance `x` from its widest place \[m\].
+    fn gap(&self, eccentricity: f64, x: f64) -> f64 {
+        self.clearance * (1.0 + eccentricity * (x / self.radius).cos())
+    }
+
+    /// The film, wider by `widening` \[m\] on the nodes.
+    fn film_thickness(
+        &self,
+        grid: Grid,
+        eccentricity: f64,
+        widening: &[f64],
+    ) -> Result<FilmThickness, InputError> {
+        FilmThickness::from_function(grid, |x, y| {
+            let widening =
+                if widening.is_empty() { 0.0 } else { grid.interpolate(widening, x, y).unwrap_or(f64::NAN) };
+            self.gap(eccentricity, x) + widening
         })
     }
 

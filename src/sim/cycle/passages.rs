@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use crate::error::InputError;
 use crate::sim::cycle::drive::set_squeeze_ratios;
 use crate::sim::cycle::{CycleEnd, CyclePoint, CycleSolution, set_conditions};
-use crate::sim::error::SimError;
+use crate::sim::error::{BoxTooSmall, SimError};
 use crate::sim::history::builder::SimBuilder;
 use crate::sim::history::record::StepRecord;
 use crate::sim::history::simulation::MixedLubricationSim;
@@ -49,14 +49,7 @@ pub(super) fn solve(
             }
             passage => passage?,
         };
-        solution.ended_early = match (too_small, &passage.ended_early) {
-            (Some(reason), _) => Some(CycleEnd::BoxTooSmall { time: row.time, reason }),
-            (None, Some(reason)) => {
-                let reason = format!("the passage ended early: {reason}");
-                Some(CycleEnd::NotConverged { time: row.time, is_at_rest: false, reason })
-            }
-            (None, None) => None,
-        };
+        solution.ended_early = early_end(row.time, too_small, passage.ended_early.as_deref());
         if solution.ended_early.is_some() {
             break;
         }
@@ -77,6 +70,18 @@ pub(super) fn solve(
     }
     set_squeeze_ratios(&mut solution.points, &half_widths, table.once || solution.ended_early.is_some());
     Ok(solution)
+}
+
+/// The end of a cycle by the passage at `time` that met the edge of its box or ended early.
+fn early_end(time: f64, too_small: Option<BoxTooSmall>, ended_early: Option<&str>) -> Option<CycleEnd> {
+    match (too_small, ended_early) {
+        (Some(reason), _) => Some(CycleEnd::BoxTooSmall { time, reason }),
+        (None, Some(reason)) => {
+            let reason = format!("the passage ended early: {reason}");
+            Some(CycleEnd::NotConverged { time, is_at_rest: false, reason })
+        }
+        (None, None) => None,
+    }
 }
 
 /// The passage at `row`.

@@ -26,6 +26,8 @@ mod balances;
 mod changes;
 mod derivatives;
 mod faces;
+mod film_fractions;
+mod nodes;
 mod own_share;
 #[cfg(test)]
 mod tests;
@@ -34,8 +36,6 @@ mod window;
 pub(in crate::reynolds) use balances::NearField;
 pub(in crate::reynolds) use own_share::HeldNeighbour;
 pub(in crate::reynolds) use window::MARGIN;
-
-use std::mem::take;
 
 use changes::Changes;
 
@@ -47,9 +47,7 @@ use super::node::NodeFlow;
 use super::shear_thinning::{NodeRatios, ShearThinning};
 use super::spin::Spin;
 use crate::grid::Grid;
-use crate::lubricant::{Lubricant, NodeTemperature, ThermalRatios};
-use crate::numerics::{FieldLines, for_each_range};
-use crate::reynolds::inner_nodes::interior;
+use crate::lubricant::{Lubricant, NodeTemperature};
 use crate::reynolds::problem::{LubricatedContact, outermost};
 
 /// Quantities of the nodes and faces at the current pressure and film, and the coefficients of the balance.
@@ -234,74 +232,6 @@ impl Discretisation {
         }
     }
 
-    /// Temperature corrections of the laws at node `k` under fluid pressure `p`; `None` for an isothermal film.
-    #[inline]
-    fn thermal_ratios(&self, lubricant: &Lubricant, k: usize, p: f64) -> Option<ThermalRatios> {
-        self.film_temperatures.get(k).and_then(|films| lubricant.thermal_ratios(films, p))
-    }
-
-    /// The quantities of a node at fluid pressure `p` and film `h`, with temperature corrections `warm` if any.
-    #[inline]
-    fn node_flow(&self, lubricant: &Lubricant, warm: Option<ThermalRatios>, p: f64, h: f64) -> NodeFlow {
-        let point = lubricant.at(p);
-        let floored = h.max(self.film_floor);
-        let square = self.fluidity * floored * floored;
-        let is_closed = h < self.closed_film;
-        let (film, cube) = if is_closed { (0.0, 0.0) } else { (floored, square * floored) };
-        let film_h = if h > self.film_floor { 1.0 } else { 0.0 };
-        let cube_h = 3.0 * square * film_h;
-        let (mut density, mut density_p) = (point.density, point.density_slope);
-        if let Some(warm) = warm {
-            density_p = warm.density * (density_p + density * warm.density_slope);
-            density *= warm.density;
-        }
-        match self.face_mobility {
-            FaceMobility::Arithmetic => NodeFlow {
-                density,
-                density_p,
-                film,
-                film_h,
-                mobility: cube * point.reduced_slope,
-                mobility_p: cube * point.reduced_curvature,
-                mobility_h: cube_h * point.reduced_slope,
-                potential: p,
-                potential_p: 1.0,
-            },
-            FaceMobility::ReducedPressure | FaceMobility::Wedge | FaceMobility::Inlet => NodeFlow {
-                density,
-                density_p,
-                film,
-                film_h,
-                mobility: cube,
-                mobility_p: 0.0,
-                mobility_h: cube_h,
-                potential: point.reduced_pressure,
-                potential_p: point.reduced_slope,
-            },
-        }
-    }
-
-    /// `eta*/eta` of a node at fluid pressure `p` and film `h`, with temperature corrections `warm` if any.
-    fn viscosity_ratios(
-        &self,
-        lubricant: &Lubricant,
-        warm: Option<ThermalRatios>,
-        p: f64,
-        h: f64,
-    ) -> NodeRatios {
-        let warmed = |ratios: NodeRatios| warm.map_or(ratios, |warm| ratios.warmed(&warm));
-        let Some((law, length)) = self.thinning else { return warmed(NodeRatios::NEWTONIAN) };
-        let point = lubricant.at(p);
-        let floored = h.max(self.film_floor);
-        // Density over the slope of the reduced pressure is the viscosity over that at ambient pressure.
-        let (ratio, slope) = warm.map_or((1.0, 0.0), |warm| (warm.viscosity, warm.viscosity_slope));
-        let x = ratio * length / floored * (point.density / point.reduced_slope);
-        let by_pressure =
-            slope + point.density_slope / point.density - point.reduced_curvature / point.reduced_slope;
-        let by_film = if h > self.film_floor { -1.0 / h } else { 0.0 };
-        warmed(law.node_ratios(x, [by_pressure, by_film]))
-    }
-
     /// Updates all quantities for the given fluid pressures and films, and the previous masses with squeeze.
     pub(in crate::reynolds) fn update(
         &mut self,
@@ -312,64 +242,6 @@ impl Discretisation {
     ) {
         self.update_faces(lubricant, pressure, film);
         self.update_entrained(0, pressure, previous);
-    }
-
-    /// Updates film fractions and entrained masses of the faces to the east. The first `held` columns are already up
-    /// to date.
-    fn update_entrained(&mut self, held: usize, pressure: &[f64], previous: Option<&[f64]>) {
-        let (nx, n) = (self.grid.nx(), self.grid.len());
-        // Entrain full films first.
-        for k in (0..n).step_by(nx).flat_map(|first| first + held..first + nx) {
-            self.entrained[k] = self.masses[k] + self.beyond[k];
-            self.theta[k] = 1.0;
-        }
-        self.advected_fraction.fill(0.0);
-        if self.cavitation == Cavitation::MassConserving {
-            self.apply_starvation();
-            if self.spin.is_some() {
-                self.update_film_fractions_across(pressure, previous);
-                return;
-            }
-            // Film fractions of cavitated nodes, in flow direction.
-            for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0 && k % nx >= held) {
-                self.update_film_fraction(k, previous);
-            }
-        }
-    }
-
-    /// Density, mobility and potential of node `k` at fluid pressure `p` and film `h`, and its viscosity ratios.
-    #[inline]
-    fn node_at(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> (NodeFlow, NodeRatios) {
-        let warm = self.thermal_ratios(lubricant, k, p);
-        (self.node_flow(lubricant, warm, p, h), self.viscosity_ratios(lubricant, warm, p, h))
-    }
-
-    /// Updates the quantities of the changed nodes.
-    fn update_nodes(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
-        let (nx, n) = (self.grid.nx(), self.grid.len());
-        let (mut nodes, mut masses, mut ratios) =
-            (take(&mut self.nodes), take(&mut self.masses), take(&mut self.ratios));
-        let fields = (
-            FieldLines::new(&mut nodes, nx),
-            FieldLines::new(&mut masses, nx),
-            FieldLines::new(&mut ratios, nx),
-        );
-        let this = &*self;
-        for_each_range(fields, self.grid.ny(), n, |rows, (nodes, masses, ratios)| {
-            let first = rows.start * nx;
-            for (i, (node, mass)) in nodes.values.iter_mut().zip(masses.values).enumerate() {
-                let k = first + i;
-                if this.changes.at(k) {
-                    let (p, h) = (pressure[k], film[k]);
-                    let (flow, viscosity) = this.node_at(lubricant, k, p, h);
-                    (*node, *mass) = (flow, flow.density * h);
-                    if let Some(stored) = ratios.values.get_mut(i) {
-                        *stored = viscosity;
-                    }
-                }
-            }
-        });
-        (self.nodes, self.masses, self.ratios) = (nodes, masses, ratios);
     }
 
     /// Updates nodes, faces and entrainment corrections; those of nodes whose pressure and film are the ones of the
@@ -391,54 +263,6 @@ impl Discretisation {
         if let Some(spin) = &mut self.spin {
             spin.update(&self.nodes);
         }
-    }
-
-    /// Limits the flow through the faces at the inlet edge to the supply.
-    fn apply_starvation(&mut self) {
-        for first in (0..self.grid.len()).step_by(self.grid.nx()) {
-            let full = self.entrained[first];
-            // A meniscus upstream of the box has filled the gap if there is pressure at its edge.
-            let is_filled = self.edge_pressure.get(first).is_some_and(|pressure| *pressure > 0.0);
-            if full > self.supply && !is_filled {
-                self.theta[first] = self.supply / full;
-                self.entrained[first] = self.supply;
-            }
-        }
-    }
-
-    /// Whether node `k` is on the inlet edge and supplied with less than a full film: its outflow does not depend on
-    /// its film.
-    #[inline]
-    fn is_starved(&self, k: usize) -> bool {
-        self.theta[k] < 1.0 && k.is_multiple_of(self.grid.nx())
-    }
-
-    /// Updates the film fraction of node `k`, which has no pressure, from its inflow; upstream nodes come first.
-    fn update_film_fraction(&mut self, k: usize, previous: Option<&[f64]>) {
-        let full = self.wedge * self.entrained[k];
-        if let Some((theta, inflow_factor)) =
-            self.film_fraction_of(k, [self.wedge * self.entrained[k - 1], full], previous)
-        {
-            self.theta[k] = theta;
-            self.entrained[k] *= theta;
-            self.advected_fraction[k] = full / inflow_factor;
-        }
-    }
-
-    /// Film fraction of node `k`, which has no pressure, if it is below one, and its derivative by the inflow.
-    /// `[enters, leaves]` are the entrained flows into the node, and out of it at film fraction one.
-    fn film_fraction_of(
-        &self,
-        k: usize,
-        [enters, leaves]: [f64; 2],
-        previous: Option<&[f64]>,
-    ) -> Option<(f64, f64)> {
-        let mass = self.masses[k];
-        let whole = leaves + self.squeeze * mass;
-        let kept = previous.map_or(0.0, |previous| self.squeeze * previous[k]);
-        let theta = (enters + kept - self.pressure_outflow(k)) / whole;
-        let inflow_factor = whole + self.pseudo_transient * mass;
-        (whole > 0.0 && theta < 1.0).then_some((theta.max(0.0), inflow_factor))
     }
 
     /// Pressure flow out of node `k`.

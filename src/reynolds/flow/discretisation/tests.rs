@@ -1,5 +1,6 @@
 use super::*;
 use crate::lubricant::{Barus, DowsonHigginson, Incompressible, Rheology, Roelands};
+use crate::reynolds::inner_nodes::interior;
 
 const FILM: f64 = 4e-8;
 const MOBILITIES: [FaceMobility; 4] =
