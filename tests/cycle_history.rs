@@ -159,7 +159,7 @@ fn histories_that_do_not_fit_are_refused_by_field_and_value() {
         ),
         (
             |s| s.motion.roughness = stribeck::sim::scene::RoughnessState::Moving,
-            &["at rest", "solve passages under the conditions of single rows"],
+            &["one cell of the faster surface", "quasi_static = true"],
         ),
     ];
     for (change, words) in cases {

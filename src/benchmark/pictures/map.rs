@@ -5,13 +5,13 @@ use crate::benchmark::results::{Results, distinct};
 use crate::benchmark::row::{Row, Verdict};
 
 /// Size of a cell, margins and gaps \[pixels\].
-const CELL: (f64, f64) = (18.0, 12.0);
+const CELL: (f64, f64) = (26.0, 12.0);
 const LEFT: f64 = 230.0;
 const HEAD: f64 = 46.0;
-const TITLE: f64 = 58.0;
+const TITLE: f64 = 74.0;
 const GAP: f64 = 8.0;
 /// Cells of a row without parameters.
-const WRAP: usize = 40;
+const WRAP: usize = 30;
 
 fn colour(verdict: Verdict) -> &'static str {
     match verdict {

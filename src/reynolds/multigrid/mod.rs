@@ -30,7 +30,7 @@ pub(super) use transfer::Transfer;
 use super::coupled::{Changed, Coupled};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ContactSolver, ReynoldsError, StoppingRule};
+use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
@@ -148,6 +148,20 @@ impl Multigrid {
             && expects_full_film(problem, EXPECTED_OVER_CONTACT)
     }
 
+    /// Rejects problems that no hierarchy of grids can solve; returns the lubricant. Allocates nothing.
+    fn checked<'a>(
+        &self,
+        problem: &LubricatedContact<'a>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<&'a Lubricant, ReynoldsError> {
+        check_call(problem, state, stop)?;
+        match self.unsupported(problem) {
+            Some(reason) => Err(self.wrong_solver(reason)),
+            None => problem.lubricant.ok_or_else(|| self.wrong_solver(NO_LUBRICANT)),
+        }
+    }
+
     /// The error for a problem outside the scope of this solver.
     fn wrong_solver(&self, reason: &'static str) -> ReynoldsError {
         ReynoldsError::WrongSolver { solver: self.id(), reason }
@@ -186,7 +200,7 @@ impl ContactSolver for Multigrid {
     }
 
     fn unsupported(&self, problem: &LubricatedContact<'_>) -> Option<&'static str> {
-        // Grids first, then the flow, then the body.
+        // Grids first, then the flow.
         let grid = problem.grid();
         [
             (grid.ny() == 1, "a line contact has no second axis to coarsen"),
@@ -200,10 +214,19 @@ impl ContactSolver for Multigrid {
                 "its grids have ambient pressure at the edge of the box: take another solver, a wider box or lubricant.inlet = \"box_edge\"",
             ),
             (problem.lubricant.is_none(), NO_LUBRICANT),
-            (!Hierarchy::has_bodies(&*problem.deformation), ONE_GRID),
         ]
         .into_iter()
         .find_map(|(applies, reason)| applies.then_some(reason))
+    }
+
+    fn check(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(), ReynoldsError> {
+        self.checked(problem, state, stop)?;
+        if Hierarchy::has_bodies(&*problem.deformation) { Ok(()) } else { Err(self.wrong_solver(ONE_GRID)) }
     }
 
     fn solve(
@@ -212,8 +235,7 @@ impl ContactSolver for Multigrid {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        self.check(problem, state, stop)?;
-        let Some(lubricant) = problem.lubricant else { return Err(self.wrong_solver(NO_LUBRICANT)) };
+        let lubricant = self.checked(problem, state, stop)?;
         let (solver, grid) = (self.id(), problem.grid());
         let workspace = self.workspace(problem, grid)?;
         let mut work = Work::default();

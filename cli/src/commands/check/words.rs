@@ -22,9 +22,13 @@ impl Expected {
         lines.extend(self.oil_lines());
         let half_width = 1e6 * hertz.half_width_x;
         let size = if self.sim.scene().form.is_line() {
-            format!("{} N/m, half-width {half_width:.1} um", output::digits(hertz.force))
+            format!("{}, half-width {half_width:.1} um", force(hertz.force, "N/m"))
         } else {
-            format!("{:.4} N, half-widths {half_width:.1} x {:.1} um", hertz.force, 1e6 * hertz.half_width_y)
+            format!(
+                "{}, half-widths {half_width:.1} x {:.1} um",
+                force(hertz.force, "N"),
+                1e6 * hertz.half_width_y
+            )
         };
         lines.push(format!("Hertz      {}, {size}", pressure(hertz.pressure)));
         lines.extend(self.mesh_lines());
@@ -170,6 +174,11 @@ impl Expected {
         }
         lines
     }
+}
+
+/// A force or a force per length, by its size in kilonewtons.
+fn force(value: f64, unit: &str) -> String {
+    if value < 1e3 { format!("{value:.4} {unit}") } else { format!("{:.2} k{unit}", 1e-3 * value) }
 }
 
 /// A pressure in GPa, in MPa below 0.1 GPa.
