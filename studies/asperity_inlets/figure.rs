@@ -45,7 +45,7 @@ pub(crate) fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
         .margin(10)
         .x_label_area_size(44)
         .y_label_area_size(60)
-        .build_cartesian_2d((0.2..200.0).log_scale(), 0.0..0.1)?;
+        .build_cartesian_2d((0.02..20.0).log_scale(), 0.0..0.1)?;
     chart
         .configure_mesh()
         .x_desc("seconds of a contact")
@@ -68,9 +68,10 @@ pub(crate) fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
         let seconds = mean(&|row| row.found[k].seconds);
         let colour = if method == Method::Inlets { ISOTROPIC } else { BLACK };
         chart.draw_series([Circle::new((seconds, error), 5, colour.filled())])?;
-        // Labels of the law lie below their points, those of resolved contacts above.
+        // The label of the law on coarse cells lies below its point, the others above.
         let (name, offset) = match method {
-            Method::Inlets => (format!("inlets {cells}"), -0.003),
+            Method::Inlets if cells < 256 => (format!("inlets {cells}"), -0.003),
+            Method::Inlets => (format!("inlets {cells}"), 0.006),
             Method::Resolved => (format!("resolved {cells}"), 0.006),
         };
         chart.draw_series([Text::new(name, (seconds, error + offset), font(14).color(&colour))])?;

@@ -1,7 +1,7 @@
 //! Errors of asperity inlets and of resolved solves on coarse cells, over the inlet number, lambda, lays and spectra.
 //!
 //! ```text
-//! cargo run --release -p studies --bin asperity_inlets                      # asperity_inlets.{csv,svg}, ten minutes of processor time
+//! cargo run --release -p studies --bin asperity_inlets                      # asperity_inlets.{csv,svg}, seven minutes of processor time
 //! cargo run --release -p studies --bin asperity_inlets -- --film-cutoff 1   # the same with the default film cut-off
 //! cargo run --release -p studies --bin asperity_inlets -- --quick --out DIR # coarse cells, seconds
 //! ```
