@@ -83,6 +83,16 @@ pub(crate) fn for_each_range<L: Lines>(
     divide(fields, 0..count, chunk_count(nodes), &work);
 }
 
+/// Applies `work` to the index and the values of each line of `field`, `length` values each.
+pub(crate) fn map_lines<T: Send>(field: &mut [T], length: usize, work: impl Fn(usize, &mut [T]) + Sync) {
+    let (count, nodes) = (field.len() / length, field.len());
+    for_each_range(FieldLines::new(field, length), count, nodes, |lines, field| {
+        for (line, values) in lines.zip(field.values.chunks_exact_mut(length)) {
+            work(line, values);
+        }
+    });
+}
+
 /// Recursive bisection into `chunks` ranges; the halves run in parallel.
 fn divide<L: Lines>(fields: L, lines: Range<usize>, chunks: usize, work: &(impl Fn(Range<usize>, L) + Sync)) {
     if chunks <= 1 || lines.len() <= 1 {

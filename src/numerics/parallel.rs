@@ -36,16 +36,6 @@ pub(super) fn for_each_chunk<T: Send, L: Send>(
     split(workspaces, 0, field, length, &work);
 }
 
-/// Applies `work` to the index and the values of each line of `field`, `length` values each.
-pub(crate) fn map_lines<T: Send>(field: &mut [T], length: usize, work: impl Fn(usize, &mut [T]) + Sync) {
-    let mut workspaces = vec![(); chunk_count(field.len())];
-    for_each_chunk(&mut workspaces, field, length, |first, lines, ()| {
-        for (line, values) in (first..).zip(lines.chunks_exact_mut(length)) {
-            work(line, values);
-        }
-    });
-}
-
 /// Recursive bisection of chunks and lines in proportion; the halves run in parallel.
 fn split<T: Send, L: Send>(
     workspaces: &mut [L],

@@ -199,7 +199,7 @@ impl JournalBearing<'_> {
     }
 
     /// Film of the round bore at the distance `x` from its widest place \[m\].
-    fn gap(&self, eccentricity: f64, x: f64) -> f64 {
+    pub(super) fn gap(&self, eccentricity: f64, x: f64) -> f64 {
         self.clearance * (1.0 + eccentricity * (x / self.radius).cos())
     }
 

@@ -7,6 +7,7 @@ use faer::Mat;
 
 use super::bearing::{JournalBearing, JournalSolution};
 use super::elastic_bore::{ElasticBore, Influence};
+use super::load_search::find_load;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{FalsePosition, least_squares};
@@ -18,8 +19,6 @@ const MOST_ECCENTRIC: f64 = 5.0;
 const TOLERANCE: f64 = 3e-4;
 /// Relative error of the load of an equilibrium.
 const LOAD_TOLERANCE: f64 = 2e-4;
-/// Most eccentricities of an equilibrium.
-const MOST_SOLVES: usize = 60;
 /// Most films of one eccentricity.
 const MOST_FILMS: usize = 80;
 /// States that the acceleration combines.
@@ -85,17 +84,9 @@ pub(super) fn equilibrium(
         }
         solution = walk.to(next)?;
     }
-    let mut bracket = FalsePosition::new(low, [walk.eccentricity, solution.load - load], None);
-    for _ in 0..MOST_SOLVES {
-        // The load is about as exact as the widening of the film.
-        if (solution.load / load - 1.0).abs() < LOAD_TOLERANCE {
-            break;
-        }
-        let eccentricity = bracket.next(0.01);
-        solution = walk.to(eccentricity)?;
-        bracket.add(eccentricity, solution.load - load);
-    }
-    Ok(solution)
+    let bracket = FalsePosition::new(low, [walk.eccentricity, solution.load - load], None);
+    // The load is about as exact as the widening of the film.
+    find_load(bracket, [load, LOAD_TOLERANCE], solution, |eccentricity| walk.to(eccentricity))
 }
 
 impl<'a> Walk<'a> {
@@ -146,9 +137,8 @@ impl<'a> Walk<'a> {
 
     /// The widening `next`, or one nearer to the current one if it narrows the film by too much.
     fn positive(&self, eccentricity: f64, next: Vec<f64>, change: &[f64], share: f64) -> Vec<f64> {
-        let (clearance, radius) = (self.bearing.clearance, self.bearing.radius);
         let is_open = self.grid.nodes().zip(next.iter().zip(&self.widening)).all(|((x, _), (next, now))| {
-            let rigid = clearance * (1.0 + eccentricity * (x / radius).cos());
+            let rigid = self.bearing.gap(eccentricity, x);
             rigid + next > (1.0 - 2.0 * NARROWING) * (rigid + now)
         });
         if is_open {

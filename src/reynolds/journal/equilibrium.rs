@@ -2,6 +2,7 @@
 
 use super::bearing::{JournalBearing, JournalSolution};
 use super::elastic_equilibrium;
+use super::load_search::find_load;
 use crate::error::InputError;
 use crate::numerics::FalsePosition;
 use crate::reynolds::ReynoldsError;
@@ -13,8 +14,6 @@ const MOST_ECCENTRIC: f64 = 0.99;
 const LEAST_SEPARATION: f64 = 0.5;
 /// Relative error of the load of an equilibrium.
 const LOAD_TOLERANCE: f64 = 1e-6;
-/// Most solves of an equilibrium.
-const MOST_SOLVES: usize = 60;
 /// Change of the attitude angle \[rad\] below which grooves keep their position to the line of centers.
 const ATTITUDE_TOLERANCE: f64 = 1e-3;
 /// Part of the way to either end within which the eccentricity moves with the angle of the feeds.
@@ -93,26 +92,9 @@ impl JournalBearing<'_> {
         // The load is zero at the eccentricity zero and grows with it, steeply near one: where false position is slow,
         // halving brackets the root.
         let bracket = FalsePosition::new([0.0, -load], [most, solution.load - load], None);
-        self.narrowed(bracket, (load, attitude), solution, interrupted)
-    }
-
-    /// The equilibrium at an eccentricity in `bracket`, from a `solution` at one of its ends.
-    fn narrowed(
-        &self,
-        mut bracket: FalsePosition,
-        (load, attitude): (f64, f64),
-        mut solution: JournalSolution,
-        interrupted: &dyn Fn() -> bool,
-    ) -> Result<JournalSolution, ReynoldsError> {
-        for _ in 0..MOST_SOLVES {
-            if (solution.load / load - 1.0).abs() < LOAD_TOLERANCE {
-                break;
-            }
-            let eccentricity = bracket.next(0.01);
-            solution = self.solve_at(eccentricity, attitude, interrupted)?;
-            bracket.add(eccentricity, solution.load - load);
-        }
-        Ok(solution)
+        find_load(bracket, [load, LOAD_TOLERANCE], solution, |eccentricity| {
+            self.solve_at(eccentricity, attitude, interrupted)
+        })
     }
 
     /// The equilibrium close to the eccentricity `near`; `None` if it is not there.
@@ -133,7 +115,8 @@ impl JournalBearing<'_> {
         let mut ends = [[near, excess], [beyond, other.load - load]];
         ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let bracket = FalsePosition::new(ends[0], ends[1], None);
-        self.narrowed(bracket, (load, attitude), here, interrupted).map(Some)
+        let solve = |eccentricity| self.solve_at(eccentricity, attitude, interrupted);
+        find_load(bracket, [load, LOAD_TOLERANCE], here, solve).map(Some)
     }
 
     /// Largest eccentricity of an equilibrium.

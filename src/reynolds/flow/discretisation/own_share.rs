@@ -69,9 +69,7 @@ impl Discretisation {
         neighbours: &[HeldNeighbour; 4],
         (p, h): (f64, f64),
     ) -> ([f64; 2], [f64; 3]) {
-        let warm = self.thermal_ratios(lubricant, k, p);
-        let node = self.node_flow(lubricant, warm, p, h);
-        let ratios = self.viscosity_ratios(lubricant, warm, p, h);
+        let (node, ratios) = self.node_at(lubricant, k, p, h);
         ([node.density, node.density_p], self.flow_of(&node, &ratios, neighbours))
     }
 
