@@ -116,7 +116,7 @@ impl ContactSolver for Auto {
             return self.dry.solve(problem, state, stop);
         }
         check_call(problem, state, stop)?;
-        if problem.is_unified_reynolds() {
+        if !problem.is_hard() {
             return self.paper(problem, state, stop);
         }
         let mut report = self.lubricated(problem, state, stop)?;

@@ -16,7 +16,6 @@ use super::active_set::{Fluid, NodeState, Sample, Solid};
 use super::flow::{Discretisation, NearField};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::unified_reynolds;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
@@ -114,7 +113,7 @@ impl Coupled {
 
     /// Marks the nodes whose fluid is at the limit in `state`: their plastic depths are kept when it is evaluated.
     fn recall_limited(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
-        if problem.lubricant.is_none() || problem.is_unified_reynolds() {
+        if problem.lubricant.is_none() {
             return;
         }
         for k in interior(&self.fluid.grid) {
@@ -128,11 +127,8 @@ impl Coupled {
     pub(super) fn displace(
         &mut self,
         problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
+        state: &ContactState,
     ) -> Result<(), InputError> {
-        if problem.is_unified_reynolds() {
-            unified_reynolds::merge_pressures(state);
-        }
         problem.deformation.displacement(&state.pressure, &mut self.elastic_film)?;
         self.convolutions += 1.0;
         for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
@@ -143,9 +139,6 @@ impl Coupled {
 
     /// Keeps yielded contact at the contact film, and the film of each node consistent with its plastic depth.
     pub(super) fn update_film(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
-        if problem.is_unified_reynolds() {
-            return unified_reynolds::update_film(problem, &self.elastic_film, state);
-        }
         let contact_film = problem.contact_film();
         for (k, side) in self.active_set.iter().enumerate() {
             // At the limit the plastic depth of the fluid is an unknown; that of solids closes the gap.
@@ -161,7 +154,7 @@ impl Coupled {
     }
 
     /// Fluid quantities and balances of the films and pressures of `state`.
-    fn update_flow(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+    pub(super) fn update_flow(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let Some(lubricant) = problem.lubricant else {
             state.mass.fill(0.0);
             state.theta.fill(1.0);
@@ -216,19 +209,11 @@ impl Coupled {
                 lubricated,
             };
             self.active_set[k] = sample.classify(self.active_set[k]);
-            if problem.is_unified_reynolds() {
-                // Its solids carry no pressure of their own.
-                self.active_set[k].solid = Solid::Open;
-            }
         }
     }
 
-    /// Sets the contact flags of the state; in the unified Reynolds model also its division into fluid and solid
-    /// pressure.
-    pub(super) fn mark_contact(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
-        if problem.is_unified_reynolds() {
-            return unified_reynolds::mark_contact(problem, state);
-        }
+    /// Sets the contact flags of the state.
+    pub(super) fn mark_contact(&self, state: &mut ContactState) {
         for (k, flag) in state.in_contact.iter_mut().enumerate() {
             *flag = state.pressure[k] > state.fluid_pressure[k] && self.active_set[k].is_contact();
         }

@@ -195,7 +195,7 @@ impl ContactSolver for Dry {
         let outcome = start.solve(problem, state, tolerance, stop.max_iterations)?;
         coupled.configure(problem);
         let residuals = coupled.evaluate(problem, state, Changed::Everything)?;
-        coupled.mark_contact(problem, state);
+        coupled.mark_contact(state);
         let status = if !residuals.is_finite() {
             Status::Diverged
         } else if outcome.converged && residuals.max() <= stop.tolerance {

@@ -4,7 +4,7 @@ use super::coupled::{Changed, Coupled};
 use super::flow::{FilmFlows, FlowBalance};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ReynoldsError, StoppingRule, check_call};
+use super::{ReynoldsError, StoppingRule, check_call, unified_reynolds};
 use crate::grid::Grid;
 use crate::report::Residuals;
 
@@ -90,9 +90,14 @@ impl Evaluation {
     ) -> Result<bool, ReynoldsError> {
         self.prepare(problem, state)?;
         let Some(lubricant) = problem.lubricant else { return Ok(false) };
-        let pressure = if problem.is_unified_reynolds() { &state.pressure } else { &state.fluid_pressure };
         let fluid = &mut self.coupled.fluid;
         fluid.configure(problem);
+        let pressure = if problem.is_hard() {
+            &state.fluid_pressure
+        } else {
+            fluid.close_below(problem.contact_film());
+            &state.pressure
+        };
         fluid.update(lubricant, pressure, &state.film, problem.squeeze.map(|s| s.previous_mass));
         Ok(true)
     }
@@ -124,10 +129,17 @@ impl Evaluation {
         state: &mut ContactState,
     ) -> Result<Residuals, ReynoldsError> {
         self.prepare(problem, state)?;
-        self.coupled.configure(problem);
+        let coupled = &mut self.coupled;
         // The active set of the state is not known.
-        let residuals = self.coupled.evaluate(problem, state, Changed::Everything)?;
-        self.coupled.mark_contact(problem, state);
+        if !problem.is_hard() {
+            unified_reynolds::configure(coupled, problem);
+            let residuals = unified_reynolds::evaluate(coupled, problem, state, Changed::Everything)?;
+            unified_reynolds::mark_contact(problem, state);
+            return Ok(residuals);
+        }
+        coupled.configure(problem);
+        let residuals = coupled.evaluate(problem, state, Changed::Everything)?;
+        self.coupled.mark_contact(state);
         Ok(residuals)
     }
 }

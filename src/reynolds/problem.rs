@@ -37,6 +37,34 @@ pub enum ContactDefinition {
     UnifiedReynolds,
 }
 
+impl ContactDefinition {
+    /// Default of the entrainment flux: limited, or first order as published.
+    pub fn default_scheme(self) -> Scheme {
+        match self {
+            Self::Hard => Scheme::default(),
+            Self::UnifiedReynolds => Scheme::FirstOrder,
+        }
+    }
+
+    /// Default of the cavitation condition: mass-conserving, or that of Reynolds as published.
+    pub fn default_cavitation(self) -> Cavitation {
+        match self {
+            Self::Hard => Cavitation::default(),
+            Self::UnifiedReynolds => Cavitation::Reynolds,
+        }
+    }
+
+    /// Default of the face mobility. Between rough surfaces contact edges are reconstructed within a cell; between smooth
+    /// surfaces, whose inlets are resolved, the film is linear between nodes. As published it is the arithmetic mean.
+    pub fn default_face_mobility(self, smooth: bool) -> FaceMobility {
+        match self {
+            Self::Hard if smooth => FaceMobility::Wedge,
+            Self::Hard => FaceMobility::Inlet,
+            Self::UnifiedReynolds => FaceMobility::Arithmetic,
+        }
+    }
+}
+
 /// A contact problem: find pressure, film and approach such that
 ///
 /// - fluid pressure `p_f >= 0` with `F(p_f, h) >= 0`, one of them zero; `F` is the net outflow of a cell,
@@ -218,9 +246,9 @@ impl LubricatedContact<'_> {
         self.pressure_limit.map_or(f64::INFINITY, |limit| limit[k])
     }
 
-    /// Whether the contact is that of the unified Reynolds model.
-    pub(super) fn is_unified_reynolds(&self) -> bool {
-        self.contact == ContactDefinition::UnifiedReynolds && self.lubricant.is_some()
+    /// Whether fluid and solids have pressures of their own. A dry contact has solid pressure only.
+    pub(super) fn is_hard(&self) -> bool {
+        self.contact == ContactDefinition::Hard || self.lubricant.is_none()
     }
 
     /// The same contact, for solvers that modify it; the original does not change.

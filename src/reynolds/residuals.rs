@@ -7,22 +7,31 @@ use super::active_set::Fluid;
 use super::coupled::Coupled;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::unified_reynolds::is_at_limit;
 use crate::report::Residuals;
 
 impl Coupled {
     /// Residuals of the evaluated `state`.
     pub(super) fn residuals(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> Residuals {
-        let grid = self.fluid.grid;
-        let (half_x, half_y) = problem.reference_half_widths;
-        let load: f64 = state.pressure.iter().sum::<f64>() * grid.cell_area();
         let (mut mass, mut build_up, mut gap_error) = (0.0, 0.0, 0.0);
-        for k in 0..grid.len() {
+        for k in 0..self.fluid.grid.len() {
             let [imbalance, accumulation] = self.mass_errors(problem, state, k);
             mass += imbalance;
             build_up += accumulation;
             gap_error += gap_error_at(problem, state, k);
         }
+        self.scaled(problem, state, [mass, build_up, gap_error])
+    }
+
+    /// Residuals of the evaluated `state` by its sums of mass errors, accumulation and gap errors.
+    pub(super) fn scaled(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        [mass, build_up, gap_error]: [f64; 3],
+    ) -> Residuals {
+        let grid = self.fluid.grid;
+        let (half_x, half_y) = problem.reference_half_widths;
+        let load: f64 = state.pressure.iter().sum::<f64>() * grid.cell_area();
         // Scale by the flux of the mean film and by its volume in the contact.
         let film_scale = self.film_scale(problem, state);
         let per_flux = grid.dy() / self.flux_scale(problem, film_scale * 2.0 * half_y);
@@ -35,15 +44,17 @@ impl Coupled {
     }
 
     /// Error of the mass balance of node `k`, and mass that accumulates although the node is cavitated \[m\].
-    fn mass_errors(&self, problem: &LubricatedContact<'_>, state: &ContactState, k: usize) -> [f64; 2] {
+    pub(super) fn mass_errors(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        k: usize,
+    ) -> [f64; 2] {
         if problem.lubricant.is_none() || self.active_set[k].fluid == Fluid::Boundary {
             return [0.0, 0.0];
         }
         let balance = self.balance[k];
-        if problem.is_unified_reynolds() && is_at_limit(problem, k, state.pressure[k]) {
-            // Clipped at the limit: the pressure of the equation would be higher.
-            [balance.max(0.0), 0.0]
-        } else if self.fluid.conserves_mass() {
+        if self.fluid.conserves_mass() {
             [self.fluid.imbalance(k, problem.squeeze.map(|s| s.previous_mass)).abs(), 0.0]
         } else if state.fluid_pressure[k] > 0.0 {
             [balance.abs(), 0.0]
@@ -80,9 +91,6 @@ impl Coupled {
 
 /// Complementarity error of node `k`: gap error in solid contact, penetration elsewhere \[m\].
 fn gap_error_at(problem: &LubricatedContact<'_>, state: &ContactState, k: usize) -> f64 {
-    if problem.is_unified_reynolds() {
-        return 0.0;
-    }
     let gap = state.film[k] - problem.contact_film();
     let touches = state.pressure[k] > state.fluid_pressure[k];
     if touches { gap.abs() } else { (-gap).max(0.0) }

@@ -40,12 +40,7 @@ impl LubricatedContact<'_> {
                 InputError::require_len("lubricant.film_temperatures", films, grid.len())?;
             }
             if let Some(radius) = self.spin_radius {
-                require_spin(
-                    ("spin_radius", radius),
-                    &grid,
-                    self.supplied_film.is_some(),
-                    self.is_unified_reynolds(),
-                )?;
+                require_spin(("spin_radius", radius), &grid, self.supplied_film.is_some(), !self.is_hard())?;
                 require_speed("entrainment_speed", self.entrainment_speed)?;
             }
             if let Some(film) = self.supplied_film {

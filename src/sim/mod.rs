@@ -12,6 +12,7 @@
 //! | topic | item |
 //! |---|---|
 //! | contents of a scene file | [`scene`] |
+//! | a scene file of any kind | `SceneFile` |
 //! | one step of a history and its order | [`MixedLubricationSim`] |
 //! | step control, many steps | [`StepControl`], [`MixedLubricationSim::run_until`] |
 //! | results of a step and of a contact | [`StepRecord`], [`ContactSolution`] |
@@ -37,6 +38,8 @@ mod passage;
 #[cfg(feature = "serde")]
 mod rigid_bearing;
 pub mod scene;
+#[cfg(feature = "serde")]
+mod scene_file;
 mod single_contact;
 
 #[cfg(feature = "benchmark")]
@@ -83,6 +86,8 @@ pub use rigid_bearing::{BearingNumbers, BearingSolution, RigidBearing};
 pub use scene::hertz::HertzContact;
 pub use scene::operating_schedule::Conditions;
 pub use scene::{Scene, Schedule};
+#[cfg(feature = "serde")]
+pub use scene_file::SceneFile;
 pub use single_contact::expectation::{Expectation, ExpectedFilm};
 pub use single_contact::solve_contact;
 

@@ -110,7 +110,7 @@ impl ContactSolver for AsperityInlets {
             (problem.edge_pressure.is_some(), "the edge of the box has a pressure"),
             (problem.shear_thinning.is_some(), "the flow thins by shear"),
             (problem.lubricant.is_some_and(heated), "the film has a temperature of its own"),
-            (problem.is_unified_reynolds(), "the contact is that of the paper"),
+            (!problem.is_hard(), "the contact is that of the paper"),
         ]
         .into_iter()
         .find_map(|(applies, reason)| applies.then_some(reason))

@@ -240,7 +240,7 @@ impl ContactSolver for Multigrid {
         let workspace = self.workspace(problem, grid)?;
         let mut work = Work::default();
         let (status, residuals) = workspace.run(problem, lubricant, state, stop, &mut work)?;
-        workspace.coupled.mark_contact(problem, state);
+        workspace.coupled.mark_contact(state);
         work.inner_iterations = workspace.hierarchy.sweeps;
         work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions;
         Ok(SolveReport::new(solver, status, residuals)

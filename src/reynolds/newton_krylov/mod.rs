@@ -156,7 +156,7 @@ impl ContactSolver for NewtonKrylov {
 
     fn unsupported(&self, problem: &LubricatedContact<'_>) -> Option<&'static str> {
         let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
-        problem.is_unified_reynolds().then_some(reason)
+        (!problem.is_hard()).then_some(reason)
     }
 
     fn solve(
@@ -173,7 +173,7 @@ impl ContactSolver for NewtonKrylov {
         workspace.newton.system.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop)?;
         let Newton { coupled, record, .. } = &workspace.newton;
-        coupled.mark_contact(problem, state);
+        coupled.mark_contact(state);
         Ok(SolveReport::new(SolverId::NewtonKrylov, status, residuals)
             .with_work(record.work)
             .with_strategy(record.best.strategy)

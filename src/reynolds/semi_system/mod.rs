@@ -4,14 +4,13 @@
 //! the factorization, the unified Reynolds model by the sweeps of its publication.
 
 mod lines;
-mod sweeps;
 
 use lines::{LineBlock, passes};
-use sweeps::{Damping, Sweeps};
 
 use super::newton_krylov::{NewtonKrylov, NewtonSettings};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
+use super::unified_reynolds::{Damping, Sweeps};
 use super::{ContactSolver, ReynoldsError, StoppingRule};
 use crate::error::InputError;
 use crate::report::{SolveReport, Work};
@@ -116,7 +115,7 @@ impl ContactSolver for SemiSystem {
         if problem.lubricant.is_none() {
             return Some("the problem has no lubricant");
         }
-        let has_no_sides = problem.is_unified_reynolds() && problem.grid().is_strip();
+        let has_no_sides = !problem.is_hard() && problem.grid().is_strip();
         has_no_sides
             .then_some("sweeps of the unified Reynolds model need side edges; take contact = \"hard\"")
     }
@@ -129,7 +128,7 @@ impl ContactSolver for SemiSystem {
     ) -> Result<SolveReport, ReynoldsError> {
         self.check(problem, state, stop)?;
         let (solver, grid) = (self.id(), problem.grid());
-        if !problem.is_unified_reynolds() {
+        if problem.is_hard() {
             let report = self.relaxed.solve(problem, state, stop)?;
             let Work { iterations, inner_iterations, .. } = report.work;
             // Each step has one additional relaxation, for the response to the approach.

@@ -32,7 +32,7 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
         (oil.is_none(), "it needs a lubricant"),
         (scene.solver.kind != SolverKind::Auto, "solver.kind selects another solver; leave it out"),
         (
-            scene.solver.contact == ContactDefinition::UnifiedReynolds,
+            scene.solver.contact != ContactDefinition::Hard,
             "solver.contact = \"paper\" needs the resolved model",
         ),
         (

@@ -38,7 +38,7 @@ pub(in crate::sim) fn validated_grid(scene: &Scene) -> Result<Grid, SimError> {
     setup::validate_room(scene, &grid, &hertz)?;
     if let Some(radius) = scene.motion.spin_radius {
         let supplied = scene.lubricant.is_some_and(|lubricant| lubricant.supplied_film.is_some());
-        let is_paper = scene.solver.contact == ContactDefinition::UnifiedReynolds;
+        let is_paper = scene.solver.contact != ContactDefinition::Hard;
         require_spin(("motion.spin_radius", radius), &grid, supplied, is_paper)?;
     }
     setup::validate_film_cutoff(scene)?;

@@ -15,7 +15,7 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
             "solver.kind = \"multigrid\" needs side edges; leave it out",
         ),
         (
-            scene.solver.contact == ContactDefinition::UnifiedReynolds,
+            scene.solver.contact != ContactDefinition::Hard,
             "solver.contact = \"paper\" needs side edges; leave it out",
         ),
         (

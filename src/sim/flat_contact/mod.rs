@@ -14,8 +14,7 @@ use crate::reynolds::StoppingRule;
 use crate::sim::contact::setup;
 use crate::sim::contact::warnings::Warning;
 use crate::sim::error::SimError;
-use crate::sim::scene::{BODIES, RoughnessPair, read_tables};
-use crate::text_file;
+use crate::sim::scene::{BODIES, Document, RoughnessPair};
 
 /// Memory of a solve per node, with its coarser grids \[byte\].
 const MEMORY: usize = 400;
@@ -133,24 +132,18 @@ impl FlatContact {
     /// [`SimError::Scene`] with key and line for a value that does not fit, [`SimError::Input`] for a table that a flat
     /// contact does not use.
     pub fn from_toml(text: &str) -> Result<Self, SimError> {
-        Ok(read_tables::<FlatFile>(text, |_| Vec::new())?.contact()?)
+        Self::read(&Document::parse(text)?)
     }
 
-    /// Reads a scene file; `None` if its form is not flat.
-    ///
-    /// # Errors
-    /// Those of [`from_toml`](Self::from_toml), and [`SimError::Io`] if the file cannot be read.
-    pub fn load(path: impl AsRef<Path>) -> Result<Option<Self>, SimError> {
-        let path = path.as_ref();
-        let text = text_file::read(path).map_err(|source| SimError::Io { path: path.to_owned(), source })?;
-        let tables = toml::from_str::<toml::Table>(&text).unwrap_or_default();
-        let kind = tables.get("form").and_then(|form| form.get("kind"));
-        if kind.and_then(toml::Value::as_str) != Some("flat") {
-            return Ok(None);
-        }
-        let mut contact = Self::from_toml(&text)?;
-        contact.roughness.locate_files(path.parent().unwrap_or(Path::new("")));
-        Ok(Some(contact))
+    /// Reads a parsed scene file.
+    pub(super) fn read(document: &Document<'_>) -> Result<Self, SimError> {
+        Ok(document.read::<FlatFile>(|_| Vec::new())?.contact()?)
+    }
+
+    /// The contact with paths of files relative to `folder`.
+    pub(super) fn in_folder(mut self, folder: &Path) -> Self {
+        self.roughness.locate_files(folder);
+        self
     }
 
     /// Solves; `interrupted` ends it with an error between two solves.

@@ -20,10 +20,9 @@ use crate::sim::contact::oil;
 use crate::sim::contact::warnings::{Warning, bearing_warnings, given_film_warnings};
 use crate::sim::error::SimError;
 use crate::sim::scene::{
-    BearingFile, BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, LubricantSpec, PadRelief,
-    RoughnessSpec, read_tables,
+    BearingFile, BearingSpec, Document, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, LubricantSpec,
+    PadRelief, RoughnessSpec,
 };
-use crate::text_file;
 
 /// Length of grooves over the width of their bearing, where it is not given.
 const USUAL_GROOVE: f64 = 0.8;
@@ -86,7 +85,12 @@ impl RigidBearing {
     /// [`SimError::Scene`] with key and line for a value that does not fit, [`SimError::Input`] for a quantity of
     /// another dimension than its key.
     pub fn from_toml(text: &str) -> Result<Self, SimError> {
-        let file: BearingFile = read_tables(text, |_| Vec::new())?;
+        Self::read(&Document::parse(text)?)
+    }
+
+    /// Reads a parsed scene file.
+    pub(super) fn read(document: &Document<'_>) -> Result<Self, SimError> {
+        let file: BearingFile = document.read(|_| Vec::new())?;
         let table = file.given_film;
         let refused = |reason: String| SimError::Scene {
             reason: format!("given_film: {reason}").replace("missing field", "missing key"),
@@ -106,24 +110,12 @@ impl RigidBearing {
         })
     }
 
-    /// Reads a scene file; `None` if it has no table `[given_film]`.
-    ///
-    /// # Errors
-    /// Those of [`from_toml`](Self::from_toml), and [`SimError::Io`] if the file cannot be read.
-    pub fn load(path: impl AsRef<Path>) -> Result<Option<Self>, SimError> {
-        let path = path.as_ref();
-        let text = text_file::read(path).map_err(|source| SimError::Io { path: path.to_owned(), source })?;
-        let is_bearing =
-            toml::from_str::<toml::Table>(&text).is_ok_and(|tables| tables.contains_key("given_film"));
-        if !is_bearing {
-            return Ok(None);
+    /// The bearing with paths of files relative to `folder`.
+    pub(super) fn in_folder(mut self, folder: &Path) -> Self {
+        if let Some(PadRelief::File { path, .. }) = &mut self.relief {
+            *path = folder.join(&path);
         }
-        let mut bearing = Self::from_toml(&text)?;
-        if let (Some(PadRelief::File { path: file, .. }), Some(folder)) = (&mut bearing.relief, path.parent())
-        {
-            *file = folder.join(&file);
-        }
-        Ok(Some(bearing))
+        self
     }
 
     /// Solves; `interrupted` ends it with an error.

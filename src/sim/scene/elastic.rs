@@ -9,12 +9,16 @@ use crate::with_fields::with_fields;
 
 /// Elastic constants of the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "ElasticTable"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 #[non_exhaustive]
 pub struct Elastic {
     /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`, without the layer; infinite if it follows from the
     /// moduli of the materials ([`Scene::equivalent_modulus`]).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_infinite"))]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_infinite"))]
     pub equivalent_modulus: f64,
     /// A layer on ball or disc; `None` for half-spaces.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -182,40 +186,6 @@ impl TryFrom<LayerTable> for LayerSpec {
             substrate_poisson: table.substrate_poisson,
         })
     }
-}
-
-/// `[elastic]` as written in a scene file.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ElasticTable {
-    /// `E'` \[Pa\].
-    equivalent_modulus: Option<f64>,
-    layer: Option<LayerSpec>,
-    tribofilm: Option<FilmElasticSpec>,
-}
-
-#[cfg(feature = "serde")]
-impl TryFrom<ElasticTable> for Elastic {
-    type Error = &'static str;
-
-    fn try_from(table: ElasticTable) -> Result<Self, Self::Error> {
-        match table {
-            ElasticTable { equivalent_modulus: None, layer: None, tribofilm: None } => {
-                Err("missing field `equivalent_modulus`")
-            }
-            ElasticTable { equivalent_modulus, layer, tribofilm } => {
-                let equivalent_modulus = equivalent_modulus.unwrap_or(f64::INFINITY);
-                Ok(Self { equivalent_modulus, layer, tribofilm })
-            }
-        }
-    }
-}
-
-/// Whether the modulus is that of the materials; it is then not written.
-#[cfg(feature = "serde")]
-fn is_infinite(modulus: &f64) -> bool {
-    *modulus == f64::INFINITY
 }
 
 impl Elastic {

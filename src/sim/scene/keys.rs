@@ -1,12 +1,9 @@
 //! Units in scene files: the dimension of each key, and text with a unit in place of a number.
 //!
 //! [`KEYS`] lists all keys with a dimension; a new one needs a line there. Text with a unit is replaced by its
-//! number before the scene is parsed, so that errors refer to the lines of the original file.
+//! number before the tables are read.
 
-use std::borrow::Cow;
-use std::ops::Range;
-
-use toml::de::{DeTable, DeValue};
+use toml::{Table, Value};
 
 use crate::error::InputError;
 use crate::units::Dimension;
@@ -188,68 +185,42 @@ fn dimension(path: &str, line: bool) -> Option<Dimension> {
     Some(if line && found == Force { ForcePerLength } else { found })
 }
 
-/// The scene `text` with tables `root`, where text with a unit is replaced by numbers in SI units. Line numbers
-/// do not change.
+/// Replaces text with a unit in the `tables` of a scene by numbers in SI units.
 ///
 /// # Errors
 /// Text that is not a quantity of its key, a list in place of a table, a date; the error names the key.
-pub(super) fn in_si_units<'a>(text: &'a str, root: &DeTable<'_>) -> Result<Cow<'a, str>, InputError> {
-    let form = root.get("form").and_then(|form| form.get_ref().as_table());
-    let kind = form.and_then(|form| form.get("kind")).and_then(|kind| kind.get_ref().as_str());
-    let mut places = Vec::new();
-    collect(root, "", kind == Some("cylinder"), &mut places)?;
-    if places.is_empty() {
-        return Ok(Cow::Borrowed(text));
-    }
-    places.sort_by_key(|(span, _)| span.start);
-    let (mut out, mut copied) = (String::with_capacity(text.len()), 0);
-    for (span, value) in places {
-        out.push_str(text.get(copied..span.start).unwrap_or_default());
-        out.push_str(&format!("{value:e}"));
-        // The line breaks of a value over several lines are kept, so that line numbers of errors are right.
-        let lines = text.get(span.clone()).unwrap_or_default().matches('\n').count();
-        out.extend(std::iter::repeat_n('\n', lines));
-        copied = span.end;
-    }
-    out.push_str(text.get(copied..).unwrap_or_default());
-    Ok(Cow::Owned(out))
+pub(super) fn convert(tables: &mut Table) -> Result<(), InputError> {
+    let kind = tables.get("form").and_then(|form| form.get("kind"));
+    let is_line = kind.and_then(Value::as_str) == Some("cylinder");
+    tables.iter_mut().try_for_each(|(key, value)| convert_value(value, key, is_line))
 }
 
-/// Collects positions and values of quantities in `table`, whose path is `path`. Lists of values are skipped.
-fn collect(
-    table: &DeTable<'_>,
-    path: &str,
-    line: bool,
-    places: &mut Vec<(Range<usize>, f64)>,
-) -> Result<(), InputError> {
-    for (key, value) in table {
-        let path = format!("{path}{}{}", if path.is_empty() { "" } else { "." }, key.get_ref());
-        match value.get_ref() {
-            DeValue::Table(inner) => collect(inner, &path, line, places)?,
-            DeValue::String(quantity) => {
-                if let Some(dimension) = dimension(&path, line) {
-                    places.push((value.span(), dimension.parse(&path, quantity)?));
-                }
-            }
-            DeValue::Datetime(_) => {
-                let reason = "it is a date, and no key of a scene takes one".to_owned();
-                return Err(InputError::Conflict { field: path, reason });
-            }
-            DeValue::Array(_) if is_table(&path) => {
-                let reason = format!("it is a list where a table is expected: one [{path}] with its keys");
-                return Err(InputError::Conflict { field: path, reason });
-            }
-            DeValue::Array(values) => {
-                let Some(dimension) = dimension(&path, line) else { continue };
-                for (index, value) in values.iter().enumerate() {
-                    if let DeValue::String(quantity) = value.get_ref() {
-                        let field = format!("{path}[{index}]");
-                        places.push((value.span(), dimension.parse(&field, quantity)?));
-                    }
-                }
-            }
-            _ => {}
+/// Replaces text with a unit in the `value` at `path`. Lists of values are skipped.
+fn convert_value(value: &mut Value, path: &str, line: bool) -> Result<(), InputError> {
+    let conflict = |reason: String| Err(InputError::Conflict { field: path.to_owned(), reason });
+    match value {
+        Value::Table(table) => {
+            table.iter_mut().try_for_each(|(key, value)| convert_value(value, &format!("{path}.{key}"), line))
         }
+        Value::String(quantity) => {
+            if let Some(dimension) = dimension(path, line) {
+                *value = Value::Float(dimension.parse(path, quantity)?);
+            }
+            Ok(())
+        }
+        Value::Datetime(_) => conflict("it is a date, and no key of a scene takes one".to_owned()),
+        Value::Array(_) if is_table(path) => {
+            conflict(format!("it is a list where a table is expected: one [{path}] with its keys"))
+        }
+        Value::Array(values) => {
+            let Some(dimension) = dimension(path, line) else { return Ok(()) };
+            for (index, value) in values.iter_mut().enumerate() {
+                if let Value::String(quantity) = value {
+                    *value = Value::Float(dimension.parse(&format!("{path}[{index}]"), quantity)?);
+                }
+            }
+            Ok(())
+        }
+        _ => Ok(()),
     }
-    Ok(())
 }

@@ -6,11 +6,17 @@
 
 use toml::Table;
 
-use super::tribofilm::{PROPORTIONAL_REMOVAL, STRESS_ACTIVATED, THERMAL_ARRHENIUS};
-
 /// Keys of `law = "doolittle_tait"` that have no default.
 const DOOLITTLE_TAIT: [&str; 9] =
     ["viscosity", "temperature", "b", "r0", "epsilon", "k0_slope", "k00", "beta", "expansion"];
+/// Keys of `law = "thermal_arrhenius"` that have no default.
+const THERMAL_ARRHENIUS: [&str; 3] = ["maximum_thickness", "prefactor", "activation_energy"];
+/// Keys of `law = "stress_activated"` that have no default.
+const STRESS_ACTIVATED: [&str; 5] =
+    ["maximum_thickness", "prefactor", "activation_energy", "activation_volume", "stress"];
+/// Keys of `law = "proportional_removal"` that have no default.
+const PROPORTIONAL_REMOVAL: [&str; 5] =
+    ["maximum_thickness", "growth_rate", "activation_energy", "activation_volume", "removal_rate"];
 /// Keys of `law = "improved_yasutomi"` that have no default.
 const IMPROVED_YASUTOMI: [&str; 8] =
     ["glass_viscosity", "glass_temperature", "a1", "a2", "b1", "b2", "c1", "c2"];

@@ -10,6 +10,8 @@ mod bearing;
 mod cycle;
 mod cycle_file;
 pub(in crate::sim) mod cycle_table;
+#[cfg(feature = "serde")]
+mod document;
 mod elastic;
 #[cfg(feature = "serde")]
 mod explain;
@@ -36,6 +38,8 @@ mod oil;
 #[cfg(feature = "serde")]
 mod oil_keys;
 pub(in crate::sim) mod operating_schedule;
+#[cfg(feature = "serde")]
+mod plain_words;
 mod processes;
 mod roughness;
 #[cfg(feature = "serde")]
@@ -52,11 +56,11 @@ mod wear;
 
 pub use bearing::RollingBearingSpec;
 pub use cycle::CycleSpec;
+#[cfg(feature = "serde")]
+pub(in crate::sim) use document::Document;
 pub use elastic::{CoatedBody, Elastic, FilmElasticSpec, LayerSpec};
 #[cfg(feature = "serde")]
 pub use explain::explain;
-#[cfg(feature = "serde")]
-pub(in crate::sim) use files::read_tables;
 #[cfg(feature = "serde")]
 pub use given_film::{
     BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadRelief, RoughnessSpec,
@@ -164,6 +168,17 @@ pub struct Scene {
     /// Solver of the contact problem.
     #[cfg_attr(feature = "serde", serde(default))]
     pub solver: SolverSpec,
+}
+
+/// A length or a modulus without a finite value; it is left out of a file.
+#[cfg(feature = "serde")]
+fn infinite() -> f64 {
+    f64::INFINITY
+}
+
+#[cfg(feature = "serde")]
+fn is_infinite(value: &f64) -> bool {
+    *value == f64::INFINITY
 }
 
 impl Scene {

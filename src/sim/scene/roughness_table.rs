@@ -1,14 +1,13 @@
 //! The tables `[roughness.ball]` and `[roughness.disc]` of a scene file.
 //!
-//! A table in a file is flat: one `kind` and the keys of that kind. [`Roughness`] in memory is an enum with only the
-//! fields of its kind. This file converts in both directions. A new kind of surface needs a variant of
-//! `RoughnessKind`, its keys, and a function for each direction.
+//! A table in a file is flat: one `kind` and the keys of that kind. [`Roughness`] in memory has the types of the
+//! generators. A new kind of surface needs a variant of [`RoughnessTable`] and an arm for each direction.
 
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use super::tables::{keyed, required, seed};
+use super::tables::seed;
 use super::{FileRoughness, Roughness};
 use crate::boundary::Boundary;
 use crate::surface::{
@@ -16,274 +15,187 @@ use crate::surface::{
     RandomSurface, SelfAffine, Synthesis, Texture,
 };
 
-keyed! {
-    /// The table as written; all keys except `kind` are optional.
-    #[derive(Serialize, Deserialize, Default)]
-    pub(super) struct RoughnessTable {
-        kind: RoughnessKind;
-        /// Rq \[m\] that random heights and those of files are scaled to.
-        rq: f64,
-        /// Correlation length along x \[m\].
-        length_x: f64,
-        /// Correlation length along y \[m\].
-        length_y: f64,
-        /// Hurst exponent of a self-affine surface, 0 to 1.
-        hurst: f64,
-        /// Wavelength above which its spectrum is flat \[m\].
-        roll_off: f64,
-        /// Longest wavelength \[m\]; default: that of the grid.
-        longest: f64,
-        /// Shortest wavelength \[m\]; default: that of the grid.
-        shortest: f64,
-        /// Whether amplitudes of waves are random, in addition to their phases.
-        synthesis: Synthesis,
-        /// Skewness of the heights; requires `kurtosis`.
-        skewness: f64,
-        /// Kurtosis of the heights; 3 for a normal distribution.
-        kurtosis: f64,
-        /// Heights that Rq refers to.
-        height: HeightScale,
-        /// Periodic continuation of heights.
-        boundary: Boundary,
-        /// Radius of a dimple \[m\].
-        radius: f64,
-        /// Width of a groove \[m\].
+/// The table as written.
+#[derive(Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+pub(super) enum RoughnessTable {
+    None {},
+    Gaussian(RandomTable<CorrelationLengths>),
+    Exponential(RandomTable<CorrelationLengths>),
+    SelfAffine(RandomTable<SelfAffineTable>),
+    Dimples(DimplesTable),
+    Grooves {
         width: f64,
-        /// Depth of dimples or grooves \[m\].
         depth: f64,
-        /// Pitch of dimples or grooves \[m\].
         pitch: f64,
-        /// Arrangement of dimples.
-        layout: Layout,
-        /// Direction of grooves.
         direction: GrooveDirection,
-        /// Seed of random heights or positions.
-        #[serde(
-            default,
-            deserialize_with = "seed::optional",
-            serialize_with = "seed::serialize_optional"
-        )]
-        seed: u64,
-        /// File of heights.
+    },
+    File {
         path: PathBuf,
-    }
+        #[serde(skip_serializing_if = "Option::is_none")]
+        rq: Option<f64>,
+    },
 }
 
-/// Values of `kind`.
-#[derive(Serialize, Deserialize, Clone, Copy, Default)]
-#[serde(rename_all = "snake_case")]
-enum RoughnessKind {
-    #[default]
-    None,
-    Gaussian,
-    Exponential,
-    SelfAffine,
-    Dimples,
-    Grooves,
-    File,
+/// A random surface, with the keys of its `shape`.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RandomTable<S> {
+    rq: f64,
+    #[serde(flatten)]
+    shape: S,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    skewness: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kurtosis: Option<f64>,
+    #[serde(default, skip_serializing_if = "is_default")]
+    height: HeightScale,
+    #[serde(default, skip_serializing_if = "is_default")]
+    boundary: Boundary,
+    #[serde(default, with = "seed")]
+    seed: u64,
+}
+
+/// Lengths at which the autocorrelation is 10 % \[m\].
+#[derive(Serialize, Deserialize)]
+pub(super) struct CorrelationLengths {
+    length_x: f64,
+    length_y: f64,
+}
+
+/// The spectrum of a self-affine surface.
+#[derive(Serialize, Deserialize)]
+pub(super) struct SelfAffineTable {
+    hurst: f64,
+    roll_off: f64,
+    #[serde(default = "super::infinite", skip_serializing_if = "super::is_infinite")]
+    longest: f64,
+    #[serde(default, skip_serializing_if = "is_default")]
+    shortest: f64,
+    #[serde(default, skip_serializing_if = "is_default")]
+    synthesis: Synthesis,
+}
+
+/// Dimples; those on a square lattice have no seed.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct DimplesTable {
+    radius: f64,
+    depth: f64,
+    pitch: f64,
+    #[serde(default)]
+    layout: Layout,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seed: Option<Seed>,
 }
 
 /// Values of `layout`.
-#[derive(Serialize, Deserialize, Clone, Copy, PartialEq)]
+#[derive(Serialize, Deserialize, Default)]
 #[serde(rename_all = "snake_case")]
 enum Layout {
+    #[default]
     Square,
     Random,
 }
 
-/// Keys of surfaces by their autocorrelation.
-const CORRELATED: [&str; 8] =
-    ["rq", "length_x", "length_y", "skewness", "kurtosis", "height", "boundary", "seed"];
-/// Keys of self-affine surfaces.
-const SELF_AFFINE: [&str; 11] = [
-    "rq",
-    "hurst",
-    "roll_off",
-    "longest",
-    "shortest",
-    "synthesis",
-    "skewness",
-    "kurtosis",
-    "height",
-    "boundary",
-    "seed",
-];
+/// A seed that is present.
+#[derive(Serialize, Deserialize)]
+struct Seed(#[serde(with = "seed")] u64);
 
-impl RoughnessTable {
-    /// A random surface of `shape` with the height distribution of the table.
-    fn random(&self, shape: RandomShape) -> Result<RandomSurface, String> {
-        let distribution = match (self.skewness, self.kurtosis) {
-            (None, None) => HeightDistribution::Normal,
-            (skewness, kurtosis) => HeightDistribution::Johnson {
-                skewness: required("skewness", skewness)?,
-                kurtosis: required("kurtosis", kurtosis)?,
-            },
-        };
-        Ok(RandomSurface {
-            distribution,
-            height: self.height.unwrap_or_default(),
-            boundary: self.boundary.unwrap_or_default(),
-            ..RandomSurface::new(shape, required("rq", self.rq)?, self.seed.unwrap_or_default())
-        })
-    }
-
-    /// A surface by its autocorrelation; errors name a missing or unknown key.
-    fn correlated(&self, kind: &str, autocorrelation: Autocorrelation) -> Result<Roughness, String> {
-        self.reject_unknown_fields(kind, &CORRELATED)?;
-        let shape = RandomShape::Correlated {
-            autocorrelation,
-            length_x: required("length_x", self.length_x)?,
-            length_y: required("length_y", self.length_y)?,
-        };
-        Ok(Roughness::Random(self.random(shape)?))
-    }
-
-    /// A self-affine surface; errors name a missing or unknown key.
-    fn self_affine(&self) -> Result<Roughness, String> {
-        self.reject_unknown_fields("self_affine", &SELF_AFFINE)?;
-        let spectrum = SelfAffine {
-            hurst: required("hurst", self.hurst)?,
-            longest: self.longest.unwrap_or(f64::INFINITY),
-            roll_off: required("roll_off", self.roll_off)?,
-            shortest: self.shortest.unwrap_or_default(),
-            synthesis: self.synthesis.unwrap_or_default(),
-        };
-        Ok(Roughness::Random(self.random(RandomShape::SelfAffine(spectrum))?))
-    }
-
-    /// Dimples; those on a square lattice have no seed.
-    fn dimples(&self) -> Result<Roughness, String> {
-        let layout = match self.layout.unwrap_or(Layout::Square) {
-            Layout::Square => {
-                self.reject_unknown_fields("dimples", &["radius", "depth", "pitch", "layout"])?;
-                DimpleLayout::Square
-            }
-            Layout::Random => {
-                self.reject_unknown_fields("dimples", &["radius", "depth", "pitch", "layout", "seed"])?;
-                DimpleLayout::Random { seed: self.seed.unwrap_or_default() }
-            }
-        };
-        Ok(Roughness::Texture(Texture::Dimples {
-            radius: required("radius", self.radius)?,
-            depth: required("depth", self.depth)?,
-            pitch: required("pitch", self.pitch)?,
-            layout,
-        }))
-    }
-
-    /// Grooves; errors name a missing or unknown key.
-    fn grooves(&self) -> Result<Roughness, String> {
-        self.reject_unknown_fields("grooves", &["width", "depth", "pitch", "direction"])?;
-        Ok(Roughness::Texture(Texture::Grooves {
-            width: required("width", self.width)?,
-            depth: required("depth", self.depth)?,
-            pitch: required("pitch", self.pitch)?,
-            direction: required("direction", self.direction)?,
-        }))
-    }
+/// Whether the value can be left out of a file.
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 impl TryFrom<RoughnessTable> for Roughness {
     type Error = String;
 
     fn try_from(table: RoughnessTable) -> Result<Self, String> {
-        match table.kind {
-            RoughnessKind::None => table.reject_unknown_fields("none", &[]).map(|()| Self::None),
-            RoughnessKind::Gaussian => table.correlated("gaussian", Autocorrelation::Gaussian),
-            RoughnessKind::Exponential => table.correlated("exponential", Autocorrelation::Exponential),
-            RoughnessKind::SelfAffine => table.self_affine(),
-            RoughnessKind::Dimples => table.dimples(),
-            RoughnessKind::Grooves => table.grooves(),
-            RoughnessKind::File => {
-                table.reject_unknown_fields("file", &["path", "rq"])?;
-                Ok(Self::File(FileRoughness { path: required("path", table.path)?, rq: table.rq }))
+        let correlated = |autocorrelation, table: RandomTable<CorrelationLengths>| {
+            let CorrelationLengths { length_x, length_y } = table.shape;
+            table.surface(RandomShape::Correlated { autocorrelation, length_x, length_y })
+        };
+        Ok(match table {
+            RoughnessTable::None {} => Self::None,
+            RoughnessTable::Gaussian(table) => correlated(Autocorrelation::Gaussian, table)?,
+            RoughnessTable::Exponential(table) => correlated(Autocorrelation::Exponential, table)?,
+            RoughnessTable::SelfAffine(table) => {
+                let SelfAffineTable { hurst, roll_off, longest, shortest, synthesis } = table.shape;
+                let spectrum = SelfAffine { hurst, longest, roll_off, shortest, synthesis };
+                table.surface(RandomShape::SelfAffine(spectrum))?
             }
-        }
+            RoughnessTable::Dimples(DimplesTable { radius, depth, pitch, layout, seed }) => {
+                let layout = match (layout, seed) {
+                    (Layout::Square, None) => DimpleLayout::Square,
+                    (Layout::Square, Some(_)) => {
+                        return Err("unknown field `seed`, dimples on a square lattice have none".to_owned());
+                    }
+                    (Layout::Random, seed) => DimpleLayout::Random { seed: seed.map_or(0, |seed| seed.0) },
+                };
+                Self::Texture(Texture::Dimples { radius, depth, pitch, layout })
+            }
+            RoughnessTable::Grooves { width, depth, pitch, direction } => {
+                Self::Texture(Texture::Grooves { width, depth, pitch, direction })
+            }
+            RoughnessTable::File { path, rq } => Self::File(FileRoughness { path, rq }),
+        })
     }
 }
 
-/// The value unless it is the default.
-fn unusual<T: Default + PartialEq>(value: T) -> Option<T> {
-    (value != T::default()).then_some(value)
+impl<S> RandomTable<S> {
+    /// The surface of `shape` with the other keys of the table.
+    fn surface(&self, shape: RandomShape) -> Result<Roughness, String> {
+        let distribution = match (self.skewness, self.kurtosis) {
+            (None, None) => HeightDistribution::Normal,
+            (Some(skewness), Some(kurtosis)) => HeightDistribution::Johnson { skewness, kurtosis },
+            (Some(_), None) => return Err("missing field `kurtosis`, it goes with `skewness`".to_owned()),
+            (None, Some(_)) => return Err("missing field `skewness`, it goes with `kurtosis`".to_owned()),
+        };
+        let (height, boundary) = (self.height, self.boundary);
+        let surface =
+            RandomSurface { distribution, height, boundary, ..RandomSurface::new(shape, self.rq, self.seed) };
+        Ok(Roughness::Random(surface))
+    }
+
+    /// The table of `surface`, whose shape has the keys `shape`.
+    fn of(surface: &RandomSurface, shape: S) -> Self {
+        let (skewness, kurtosis) = match surface.distribution {
+            HeightDistribution::Normal => (None, None),
+            HeightDistribution::Johnson { skewness, kurtosis } => (Some(skewness), Some(kurtosis)),
+        };
+        let RandomSurface { rq, height, boundary, seed, .. } = *surface;
+        Self { rq, shape, skewness, kurtosis, height, boundary, seed }
+    }
 }
 
 impl From<Roughness> for RoughnessTable {
     fn from(roughness: Roughness) -> Self {
         match roughness {
-            Roughness::None => Self::default(),
-            Roughness::Random(surface) => Self::of_surface(surface),
-            Roughness::Texture(texture) => Self::of_texture(texture),
-            Roughness::File(FileRoughness { path, rq }) => {
-                Self { kind: RoughnessKind::File, path: Some(path), rq, ..Self::default() }
-            }
-        }
-    }
-}
-
-impl RoughnessTable {
-    /// The table of a random surface, without default values.
-    fn of_surface(surface: RandomSurface) -> Self {
-        let shape = match surface.shape {
-            RandomShape::Correlated { autocorrelation, length_x, length_y } => Self {
-                kind: match autocorrelation {
-                    Autocorrelation::Gaussian => RoughnessKind::Gaussian,
-                    Autocorrelation::Exponential => RoughnessKind::Exponential,
-                },
-                length_x: Some(length_x),
-                length_y: Some(length_y),
-                ..Self::default()
+            Roughness::None => Self::None {},
+            Roughness::Random(surface) => match surface.shape {
+                RandomShape::Correlated { autocorrelation, length_x, length_y } => {
+                    let table = RandomTable::of(&surface, CorrelationLengths { length_x, length_y });
+                    match autocorrelation {
+                        Autocorrelation::Gaussian => Self::Gaussian(table),
+                        Autocorrelation::Exponential => Self::Exponential(table),
+                    }
+                }
+                RandomShape::SelfAffine(SelfAffine { hurst, longest, roll_off, shortest, synthesis }) => {
+                    let keys = SelfAffineTable { hurst, roll_off, longest, shortest, synthesis };
+                    Self::SelfAffine(RandomTable::of(&surface, keys))
+                }
             },
-            RandomShape::SelfAffine(spectrum) => Self {
-                kind: RoughnessKind::SelfAffine,
-                hurst: Some(spectrum.hurst),
-                roll_off: Some(spectrum.roll_off),
-                longest: Some(spectrum.longest).filter(|longest| longest.is_finite()),
-                shortest: unusual(spectrum.shortest),
-                synthesis: unusual(spectrum.synthesis),
-                ..Self::default()
-            },
-        };
-        let moments = match surface.distribution {
-            HeightDistribution::Normal => None,
-            HeightDistribution::Johnson { skewness, kurtosis } => Some((skewness, kurtosis)),
-        };
-        Self {
-            rq: Some(surface.rq),
-            seed: Some(surface.seed),
-            skewness: moments.map(|moments| moments.0),
-            kurtosis: moments.map(|moments| moments.1),
-            height: unusual(surface.height),
-            boundary: unusual(surface.boundary),
-            ..shape
-        }
-    }
-
-    /// The table of dimples or grooves.
-    fn of_texture(texture: Texture) -> Self {
-        match texture {
-            Texture::Dimples { radius, depth, pitch, layout } => {
+            Roughness::Texture(Texture::Dimples { radius, depth, pitch, layout }) => {
                 let (layout, seed) = match layout {
                     DimpleLayout::Square => (Layout::Square, None),
-                    DimpleLayout::Random { seed } => (Layout::Random, Some(seed)),
+                    DimpleLayout::Random { seed } => (Layout::Random, Some(Seed(seed))),
                 };
-                Self {
-                    kind: RoughnessKind::Dimples,
-                    radius: Some(radius),
-                    depth: Some(depth),
-                    pitch: Some(pitch),
-                    layout: Some(layout),
-                    seed,
-                    ..Self::default()
-                }
+                Self::Dimples(DimplesTable { radius, depth, pitch, layout, seed })
             }
-            Texture::Grooves { width, depth, pitch, direction } => Self {
-                kind: RoughnessKind::Grooves,
-                width: Some(width),
-                depth: Some(depth),
-                pitch: Some(pitch),
-                direction: Some(direction),
-                ..Self::default()
-            },
+            Roughness::Texture(Texture::Grooves { width, depth, pitch, direction }) => {
+                Self::Grooves { width, depth, pitch, direction }
+            }
+            Roughness::File(FileRoughness { path, rq }) => Self::File { path, rq },
         }
     }
 }

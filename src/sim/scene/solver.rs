@@ -1,7 +1,6 @@
 //! The table `solver` of a scene, and its defaults that depend on other tables.
 //!
-//! The default schemes follow from the contact definition and, for the pressure flow, from whether the bodies are
-//! rough.
+//! The default schemes are those of the contact definition.
 
 use super::Scene;
 use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, LubricatedContact, Scheme, StoppingRule};
@@ -149,37 +148,27 @@ impl Scene {
         self.lubricant.is_some() && self.solver.kind != SolverKind::Dry
     }
 
-    /// Entrainment flux through faces: the scheme named in `solver`, or the default. The default of the published
-    /// contact of the paper is first order.
+    /// Entrainment flux through faces: the scheme named in `solver`, or the
+    /// [default](ContactDefinition::default_scheme) of the contact definition.
     pub fn scheme(&self) -> Scheme {
-        self.solver.scheme.unwrap_or(match self.solver.contact {
-            ContactDefinition::Hard => Scheme::default(),
-            ContactDefinition::UnifiedReynolds => Scheme::FirstOrder,
-        })
+        self.solver.scheme.unwrap_or_else(|| self.solver.contact.default_scheme())
     }
 
-    /// The cavitation condition named in `solver`, or the default. The default of the published contact of the
-    /// paper is that of Reynolds.
+    /// The cavitation condition named in `solver`, or the [default](ContactDefinition::default_cavitation) of the
+    /// contact definition.
     pub fn cavitation(&self) -> Cavitation {
-        self.solver.cavitation.unwrap_or(match self.solver.contact {
-            ContactDefinition::Hard => Cavitation::default(),
-            ContactDefinition::UnifiedReynolds => Cavitation::Reynolds,
-        })
+        self.solver.cavitation.unwrap_or_else(|| self.solver.contact.default_cavitation())
     }
 
-    /// Pressure flow through faces: the law named in `solver`, or the default. Between rough surfaces the default
-    /// reconstructs contact edges within a cell; between smooth surfaces, whose inlets are resolved, it assumes a
-    /// linear film between nodes; for the published contact of the paper it is the arithmetic mean.
+    /// Pressure flow through faces: the law named in `solver`, or the
+    /// [default](ContactDefinition::default_face_mobility) of the contact definition between bodies that are smooth or
+    /// not.
     pub fn face_mobility(&self) -> FaceMobility {
         self.face_mobility_between(self.is_smooth())
     }
 
     /// The face mobility between bodies that are `smooth` or not, whatever the roughness of the scene.
     pub(in crate::sim) fn face_mobility_between(&self, smooth: bool) -> FaceMobility {
-        self.solver.face_mobility.unwrap_or(match self.solver.contact {
-            ContactDefinition::Hard if smooth => FaceMobility::Wedge,
-            ContactDefinition::Hard => FaceMobility::Inlet,
-            ContactDefinition::UnifiedReynolds => FaceMobility::Arithmetic,
-        })
+        self.solver.face_mobility.unwrap_or_else(|| self.solver.contact.default_face_mobility(smooth))
     }
 }

@@ -1,103 +1,59 @@
-//! Checks beyond derived readers. Tables whose keys depend on `kind` are read flat: derived enums would accept
-//! unknown keys for a unit variant and lose the key of an invalid value.
-
-use std::path::PathBuf;
+//! Checks beyond derived readers: radii of two bodies, the kinds of grids, edges, seeds.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
-use super::{GridSpec, Schedule};
+use super::GridSpec;
 use crate::surface::Form;
 
-/// A table that is read flat. Fields before the semicolon belong to every kind or law; the keys after it belong to
-/// some kinds, each an `Option`. The keys are listed only here.
-macro_rules! keyed {
-    ($(#[$meta:meta])* $vis:vis struct $name:ident {
-        $($common:ident: $common_type:ty),+ ;
-        $($(#[$of_key:meta])* $key:ident: $type:ty),+ $(,)?
-    }) => {
-        $(#[$meta])*
-        #[serde(deny_unknown_fields)]
-        $vis struct $name {
-            $($common: $common_type,)+
-            $($(#[$of_key])* #[serde(skip_serializing_if = "Option::is_none")] $key: Option<$type>,)+
-        }
-
-        impl $name {
-            /// Error for a key that is not in `known`, the keys of a table with the `tag`.
-            fn reject_unknown_fields(&self, tag: &str, known: &[&str]) -> Result<(), String> {
-                let given = [$((stringify!($key), self.$key.is_some())),+];
-                $crate::sim::scene::tables::reject_unknown_fields(tag, &given, known)
-            }
-        }
-    };
-}
-pub(super) use keyed;
-
-keyed! {
-    /// `[form]` as written.
-    #[derive(Deserialize)]
-    struct FormTable {
-        kind: FormKind;
-        /// Radius of a ball or a cylinder \[m\].
-        radius: f64,
-        /// Radius of an ellipsoid along its first axis \[m\].
-        radius_x: f64,
-        /// Radius of an ellipsoid along its second axis \[m\].
-        radius_y: f64,
-        /// Radii of both bodies in place of `radius` \[m\]; that of a concave body is negative.
-        radii: Vec<f64>,
-        /// The same in place of `radius_x`.
-        radii_x: Vec<f64>,
-        /// The same in place of `radius_y`.
-        radii_y: Vec<f64>,
-        /// Angle from x to the first axis \[rad\].
+/// `[form]` as written: of each radius its value, or the radii of both bodies.
+#[derive(Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+enum FormTable {
+    Sphere {
+        radius: Option<f64>,
+        radii: Option<Vec<f64>>,
+    },
+    Cylinder {
+        radius: Option<f64>,
+        radii: Option<Vec<f64>>,
+    },
+    Ellipsoid {
+        radius_x: Option<f64>,
+        radii_x: Option<Vec<f64>>,
+        radius_y: Option<f64>,
+        radii_y: Option<Vec<f64>>,
+        #[serde(default)]
         angle: f64,
-    }
+    },
 }
 
-/// Values of `kind` in `[form]`.
-#[derive(Deserialize, Clone, Copy)]
-#[serde(rename_all = "snake_case")]
-enum FormKind {
-    Sphere,
-    Ellipsoid,
-    Cylinder,
-}
-
-/// Reads `[form]`; a radius that does not belong to the kind is an error.
+/// Reads `[form]`.
 pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
-    let table = FormTable::deserialize(deserializer)?;
-    match table.kind {
-        FormKind::Sphere => {
-            table.reject_unknown_fields("kind = \"sphere\"", &["radius", "radii"]).and_then(|()| {
-                Ok(Form::Sphere { radius: radius("radius", table.radius, "radii", table.radii)? })
-            })
-        }
-        FormKind::Cylinder => {
-            table.reject_unknown_fields("kind = \"cylinder\"", &["radius", "radii"]).and_then(|()| {
-                Ok(Form::Cylinder { radius: radius("radius", table.radius, "radii", table.radii)? })
-            })
-        }
-        FormKind::Ellipsoid => table
-            .reject_unknown_fields(
-                "kind = \"ellipsoid\"",
-                &["radius_x", "radius_y", "radii_x", "radii_y", "angle"],
-            )
-            .and_then(|()| {
-                Ok(Form::Ellipsoid {
-                    radius_x: radius("radius_x", table.radius_x, "radii_x", table.radii_x)?,
-                    radius_y: radius("radius_y", table.radius_y, "radii_y", table.radii_y)?,
-                    angle: table.angle.unwrap_or_default(),
-                })
-            }),
+    FormTable::deserialize(deserializer)?.into_form().map_err(D::Error::custom)
+}
+
+impl FormTable {
+    fn into_form(self) -> Result<Form, String> {
+        Ok(match self {
+            Self::Sphere { radius, radii } => {
+                Form::Sphere { radius: equivalent("radius", radius, "radii", radii)? }
+            }
+            Self::Cylinder { radius, radii } => {
+                Form::Cylinder { radius: equivalent("radius", radius, "radii", radii)? }
+            }
+            Self::Ellipsoid { radius_x, radii_x, radius_y, radii_y, angle } => Form::Ellipsoid {
+                radius_x: equivalent("radius_x", radius_x, "radii_x", radii_x)?,
+                radius_y: equivalent("radius_y", radius_y, "radii_y", radii_y)?,
+                angle,
+            },
+        })
     }
-    .map_err(D::Error::custom)
 }
 
 /// The radius of a section: as given, or of a flat against which the gap is that between both bodies,
 /// `1/R = 1/R_1 + 1/R_2`.
-fn radius(key: &str, given: Option<f64>, pair_key: &str, pair: Option<Vec<f64>>) -> Result<f64, String> {
+fn equivalent(key: &str, given: Option<f64>, pair_key: &str, pair: Option<Vec<f64>>) -> Result<f64, String> {
     let Some(pair) = pair else { return required(key, given) };
     if given.is_some() {
         return Err(format!("`{pair_key}` replaces `{key}`; give only one"));
@@ -183,63 +139,6 @@ impl GridTable {
     }
 }
 
-keyed! {
-    /// A table of `[schedule]` as written.
-    #[derive(Deserialize)]
-    pub(super) struct ScheduleTable {
-        kind: ScheduleKind;
-        /// The constant value.
-        value: f64,
-        /// Times of steps or ramps \[s\].
-        times: Vec<f64>,
-        /// Values at these times, or from them on.
-        values: Vec<f64>,
-        /// File with a column of times and one of values.
-        path: PathBuf,
-    }
-}
-
-/// Values of `kind` in a schedule.
-#[derive(Deserialize, Clone, Copy)]
-#[serde(rename_all = "snake_case")]
-enum ScheduleKind {
-    Constant,
-    Steps,
-    Ramps,
-    Table,
-}
-
-impl TryFrom<ScheduleTable> for Schedule {
-    type Error = String;
-
-    fn try_from(table: ScheduleTable) -> Result<Self, String> {
-        Ok(match table.kind {
-            ScheduleKind::Constant => {
-                table.reject_unknown_fields("kind = \"constant\"", &["value"])?;
-                Self::Constant { value: required("value", table.value)? }
-            }
-            ScheduleKind::Steps => {
-                table.reject_unknown_fields("kind = \"steps\"", &["times", "values"])?;
-                Self::Steps {
-                    times: required("times", table.times)?,
-                    values: required("values", table.values)?,
-                }
-            }
-            ScheduleKind::Ramps => {
-                table.reject_unknown_fields("kind = \"ramps\"", &["times", "values"])?;
-                Self::Ramps {
-                    times: required("times", table.times)?,
-                    values: required("values", table.values)?,
-                }
-            }
-            ScheduleKind::Table => {
-                table.reject_unknown_fields("kind = \"table\"", &["path"])?;
-                Self::Table { path: required("path", table.path)? }
-            }
-        })
-    }
-}
-
 /// Reads exactly two numbers; the parser would silently drop further ones.
 fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>, D::Error> {
     let edges = Vec::<f64>::deserialize(deserializer)?;
@@ -249,17 +148,6 @@ fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>,
             "a list of {count}, expected the two outer edges [low, high] with a decimal point"
         ))
     })
-}
-
-/// Error for a key of `given` that is not in `known`, the keys of a table with the `tag`.
-pub(super) fn reject_unknown_fields(tag: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
-    match given.iter().find(|(key, present)| *present && !known.contains(key)) {
-        None => Ok(()),
-        Some((key, _)) => Err(match known {
-            [] => format!("unknown key `{key}`, {tag} has no other keys"),
-            _ => format!("unknown key `{key}`, {tag} has `{}`", known.join("`, `")),
-        }),
-    }
 }
 
 /// The value, or the error that names the missing `key`.
@@ -293,17 +181,6 @@ pub(super) mod seed {
         }
     }
 
-    /// Writes an optional seed.
-    pub(in crate::sim) fn serialize_optional<S: Serializer>(
-        seed: &Option<u64>,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        match seed {
-            Some(seed) => serialize(seed, serializer),
-            None => serializer.serialize_none(),
-        }
-    }
-
     /// Reads a seed from a number or text.
     pub(in crate::sim) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
         match Seed::deserialize(deserializer) {
@@ -315,12 +192,5 @@ pub(super) mod seed {
             Ok(Seed::Real(number)) => Err(D::Error::custom(format!("`{number}`, {A_SEED}"))),
             Err(_) => Err(D::Error::custom(A_SEED)),
         }
-    }
-
-    /// Reads an optional seed.
-    pub(in crate::sim) fn optional<'de, D: Deserializer<'de>>(
-        deserializer: D,
-    ) -> Result<Option<u64>, D::Error> {
-        deserialize(deserializer).map(Some)
     }
 }

@@ -1,7 +1,5 @@
 //! Growth laws of a tribofilm by name.
 
-#[cfg(feature = "serde")]
-use super::tables::{keyed, required};
 use crate::error::InputError;
 use crate::tribochem::{
     Activation, FilmGrowthLaw, Ghanbarzadeh, ProportionalRemoval, StressActivated, ThermalArrhenius,
@@ -24,7 +22,7 @@ use crate::tribochem::{
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(tag = "law", rename_all = "snake_case", try_from = "TribofilmTable")
+    serde(tag = "law", rename_all = "snake_case")
 )]
 #[non_exhaustive]
 pub enum TribofilmSpec {
@@ -40,7 +38,11 @@ pub enum TribofilmSpec {
 
 /// Constants of [`Ghanbarzadeh`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct GhanbarzadehSpec {
     /// Limit thickness of growth without removal \[m\].
     pub maximum_thickness: f64,
@@ -56,7 +58,11 @@ pub struct GhanbarzadehSpec {
 
 /// Constants of [`StressActivated`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(from = "StressActivatedTable")
+)]
 pub struct StressActivatedSpec {
     /// Limit thickness of growth \[m\].
     pub maximum_thickness: f64,
@@ -84,7 +90,7 @@ pub enum DrivingStress {
 
 /// Constants of [`ThermalArrhenius`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct ThermalArrheniusSpec {
     /// Limit thickness of growth \[m\].
     pub maximum_thickness: f64,
@@ -93,12 +99,13 @@ pub struct ThermalArrheniusSpec {
     /// Activation energy \[J\].
     pub activation_energy: f64,
     /// Nodes that grow film.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub activation: Activation,
 }
 
 /// Constants of [`ProportionalRemoval`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct ProportionalRemovalSpec {
     /// Largest thickness \[m\].
     pub maximum_thickness: f64,
@@ -111,6 +118,7 @@ pub struct ProportionalRemovalSpec {
     /// Rate of removal \[1/s\].
     pub removal_rate: f64,
     /// Nodes that grow and lose film.
+    #[cfg_attr(feature = "serde", serde(default = "by_shear_stress"))]
     pub activation: Activation,
 }
 
@@ -194,106 +202,38 @@ impl TribofilmSpec {
     }
 }
 
+/// Value of `law` of a table without it.
 #[cfg(feature = "serde")]
-keyed! {
-    /// `[tribofilm]` as written in a scene file.
-    #[derive(serde::Deserialize)]
-    struct TribofilmTable {
-        law: Option<LawName>,
-        activation: Option<Activation>;
-        maximum_thickness: f64,
-        x_tribo: f64,
-        removal_limit: f64,
-        removal_rate: f64,
-        prefactor: f64,
-        growth_rate: f64,
-        activation_energy: f64,
-        activation_volume: f64,
-        stress: DrivingStress,
-    }
+pub(super) const DEFAULT_LAW: &str = "ghanbarzadeh";
+
+/// Default of `activation` of a law by the shear stress.
+#[cfg(feature = "serde")]
+fn by_shear_stress() -> Activation {
+    Activation::ShearStress
 }
 
-/// Values of `law`.
+/// `law = "stress_activated"` as written: the nodes that grow follow from the stress.
 #[cfg(feature = "serde")]
-#[derive(serde::Deserialize, Clone, Copy)]
-#[serde(rename_all = "snake_case")]
-enum LawName {
-    Ghanbarzadeh,
-    StressActivated,
-    ThermalArrhenius,
-    ProportionalRemoval,
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StressActivatedTable {
+    maximum_thickness: f64,
+    prefactor: f64,
+    activation_energy: f64,
+    activation_volume: f64,
+    stress: DrivingStress,
+    activation: Option<Activation>,
 }
 
-/// Keys of `law = "ghanbarzadeh"`.
 #[cfg(feature = "serde")]
-const GHANBARZADEH: [&str; 5] =
-    ["maximum_thickness", "x_tribo", "removal_limit", "removal_rate", "activation"];
-/// Keys of `law = "thermal_arrhenius"` that have no default; `activation` has one.
-#[cfg(feature = "serde")]
-pub(super) const THERMAL_ARRHENIUS: [&str; 3] = ["maximum_thickness", "prefactor", "activation_energy"];
-/// Keys of `law = "stress_activated"` that have no default.
-#[cfg(feature = "serde")]
-pub(super) const STRESS_ACTIVATED: [&str; 5] =
-    ["maximum_thickness", "prefactor", "activation_energy", "activation_volume", "stress"];
-/// Keys of `law = "proportional_removal"` that have no default.
-#[cfg(feature = "serde")]
-pub(super) const PROPORTIONAL_REMOVAL: [&str; 5] =
-    ["maximum_thickness", "growth_rate", "activation_energy", "activation_volume", "removal_rate"];
-
-#[cfg(feature = "serde")]
-impl TryFrom<TribofilmTable> for TribofilmSpec {
-    type Error = String;
-
-    fn try_from(table: TribofilmTable) -> Result<Self, String> {
-        let activation = table.activation;
-        match table.law.unwrap_or(LawName::Ghanbarzadeh) {
-            LawName::Ghanbarzadeh => {
-                table.reject_unknown_fields("law = \"ghanbarzadeh\"", &GHANBARZADEH)?;
-                let usual = GhanbarzadehSpec::default();
-                Ok(Self::Ghanbarzadeh(GhanbarzadehSpec {
-                    maximum_thickness: table.maximum_thickness.unwrap_or(usual.maximum_thickness),
-                    x_tribo: table.x_tribo.unwrap_or(usual.x_tribo),
-                    removal_limit: table.removal_limit.unwrap_or(usual.removal_limit),
-                    removal_rate: table.removal_rate.unwrap_or(usual.removal_rate),
-                    activation: activation.unwrap_or(usual.activation),
-                }))
-            }
-            LawName::ThermalArrhenius => {
-                table.reject_unknown_fields("law = \"thermal_arrhenius\"", &THERMAL_ARRHENIUS)?;
-                Ok(Self::ThermalArrhenius(ThermalArrheniusSpec {
-                    maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
-                    prefactor: required("prefactor", table.prefactor)?,
-                    activation_energy: required("activation_energy", table.activation_energy)?,
-                    activation: activation.unwrap_or(Activation::SolidContact),
-                }))
-            }
-            LawName::StressActivated => {
-                table.reject_unknown_fields("law = \"stress_activated\"", &STRESS_ACTIVATED)?;
-                let stress = required("stress", table.stress)?;
-                let usual = match stress {
-                    DrivingStress::Shear => Activation::ShearStress,
-                    DrivingStress::Normal => Activation::SolidContact,
-                };
-                Ok(Self::StressActivated(StressActivatedSpec {
-                    maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
-                    prefactor: required("prefactor", table.prefactor)?,
-                    activation_energy: required("activation_energy", table.activation_energy)?,
-                    activation_volume: required("activation_volume", table.activation_volume)?,
-                    stress,
-                    activation: activation.unwrap_or(usual),
-                }))
-            }
-            LawName::ProportionalRemoval => {
-                table.reject_unknown_fields("law = \"proportional_removal\"", &PROPORTIONAL_REMOVAL)?;
-                Ok(Self::ProportionalRemoval(ProportionalRemovalSpec {
-                    maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
-                    growth_rate: required("growth_rate", table.growth_rate)?,
-                    activation_energy: required("activation_energy", table.activation_energy)?,
-                    activation_volume: required("activation_volume", table.activation_volume)?,
-                    removal_rate: required("removal_rate", table.removal_rate)?,
-                    activation: activation.unwrap_or(Activation::ShearStress),
-                }))
-            }
-        }
+impl From<StressActivatedTable> for StressActivatedSpec {
+    fn from(table: StressActivatedTable) -> Self {
+        let StressActivatedTable { maximum_thickness, prefactor, stress, .. } = table;
+        let StressActivatedTable { activation_energy, activation_volume, .. } = table;
+        let activation = table.activation.unwrap_or(match stress {
+            DrivingStress::Shear => Activation::ShearStress,
+            DrivingStress::Normal => Activation::SolidContact,
+        });
+        Self { maximum_thickness, prefactor, activation_energy, activation_volume, stress, activation }
     }
 }

@@ -1,7 +1,5 @@
 //! Wear: laws by name, wear pressure and exposure.
 
-#[cfg(feature = "serde")]
-use super::tables::{keyed, required};
 use super::track::Exposure;
 use crate::error::InputError;
 use crate::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
@@ -24,13 +22,14 @@ use crate::with_fields::with_fields;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "WearTable"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct WearSpec {
     /// The law and its constants.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub law: WearLawSpec,
     /// The pressure that causes wear.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub pressure: WearPressure,
     /// Exposure of a point of the track to wear. It belongs to the constants of the law and has no default.
     pub exposure: Exposure,
@@ -47,7 +46,11 @@ pub struct WearSpec {
 /// assert_eq!(WearLawSpec::FrictionalEnergy(energy).hardness(), None);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "law", rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "law", rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum WearLawSpec {
     /// Proportional to pressure and sliding distance: [`Archard`].
@@ -58,7 +61,11 @@ pub enum WearLawSpec {
 
 /// Constants of [`Archard`], with a film-dependent coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct ArchardSpec {
     /// Dimensionless coefficient of the bare surface.
     pub coefficient: f64,
@@ -74,7 +81,11 @@ pub struct ArchardSpec {
 
 /// Constants of [`FrictionalEnergy`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(from = "FrictionalEnergyTable")
+)]
 pub struct FrictionalEnergySpec {
     /// Worn volume of the bare surface per frictional energy \[m^3/J\].
     pub volume_per_energy: f64,
@@ -151,85 +162,25 @@ with_fields!(WearSpec {
     with_exposure exposure: Exposure,
 });
 
+/// Value of `law` of a table without it.
 #[cfg(feature = "serde")]
-keyed! {
-    /// `[wear]` as written in a scene file.
-    #[derive(serde::Deserialize)]
-    struct WearTable {
-        law: Option<LawName>,
-        pressure: Option<WearPressure>,
-        exposure: Option<Exposure>,
-        solid_pressure_only: Option<bool>;
-        coefficient: f64,
-        film_coefficient: f64,
-        hardness: f64,
-        film_hardness: f64,
-        volume_per_energy: f64,
-        film_volume_per_energy: f64,
-    }
-}
+pub(super) const DEFAULT_LAW: &str = "archard";
 
-/// Values of `law`.
+/// `law = "frictional_energy"` as written: a film wears as the bare surface if it has no value of its own.
 #[cfg(feature = "serde")]
-#[derive(serde::Deserialize, Clone, Copy)]
-#[serde(rename_all = "snake_case")]
-enum LawName {
-    Archard,
-    FrictionalEnergy,
-}
-
-/// Keys of `law = "archard"`.
-#[cfg(feature = "serde")]
-const ARCHARD: [&str; 4] = ["coefficient", "film_coefficient", "hardness", "film_hardness"];
-/// Keys of `law = "frictional_energy"`.
-#[cfg(feature = "serde")]
-const FRICTIONAL_ENERGY: [&str; 2] = ["volume_per_energy", "film_volume_per_energy"];
-/// The error of a table without exposure.
-#[cfg(feature = "serde")]
-const EXPOSURES: &str = "missing field `exposure`; \
-    exposure = \"track\": a point of the track wears while the contact passes, once a round, for coefficients by load \
-    and sliding distance (needs track.radius_ball and track.radius_disc of bodies that move); \
-    exposure = \"contact_clock\": a point wears as if it never left the contact, for coefficients fitted to the depth at \
-    the time of a test";
-
-#[cfg(feature = "serde")]
-impl TryFrom<WearTable> for WearSpec {
-    type Error = String;
-
-    fn try_from(table: WearTable) -> Result<Self, String> {
-        if let Some(solid) = table.solid_pressure_only {
-            let pressure = if solid { "solid" } else { "total" };
-            return Err(format!("unknown key `solid_pressure_only`; write pressure = \"{pressure}\""));
-        }
-        let law = table.law()?;
-        let exposure = table.exposure.ok_or_else(|| EXPOSURES.to_owned())?;
-        Ok(Self::new(law, exposure).with_pressure(table.pressure.unwrap_or_default()))
-    }
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FrictionalEnergyTable {
+    volume_per_energy: f64,
+    film_volume_per_energy: Option<f64>,
 }
 
 #[cfg(feature = "serde")]
-impl WearTable {
-    /// The law and its constants.
-    fn law(&self) -> Result<WearLawSpec, String> {
-        match self.law.unwrap_or(LawName::Archard) {
-            LawName::Archard => {
-                self.reject_unknown_fields("law = \"archard\"", &ARCHARD)?;
-                let usual = ArchardSpec::default();
-                Ok(WearLawSpec::Archard(ArchardSpec {
-                    coefficient: self.coefficient.unwrap_or(usual.coefficient),
-                    film_coefficient: self.film_coefficient.unwrap_or(usual.film_coefficient),
-                    hardness: self.hardness.unwrap_or(usual.hardness),
-                    film_hardness: self.film_hardness,
-                }))
-            }
-            LawName::FrictionalEnergy => {
-                self.reject_unknown_fields("law = \"frictional_energy\"", &FRICTIONAL_ENERGY)?;
-                let bare = required("volume_per_energy", self.volume_per_energy)?;
-                Ok(WearLawSpec::FrictionalEnergy(FrictionalEnergySpec {
-                    volume_per_energy: bare,
-                    film_volume_per_energy: self.film_volume_per_energy.unwrap_or(bare),
-                }))
-            }
-        }
+impl From<FrictionalEnergyTable> for FrictionalEnergySpec {
+    fn from(
+        FrictionalEnergyTable { volume_per_energy, film_volume_per_energy }: FrictionalEnergyTable,
+    ) -> Self {
+        let film_volume_per_energy = film_volume_per_energy.unwrap_or(volume_per_energy);
+        Self { volume_per_energy, film_volume_per_energy }
     }
 }

@@ -159,6 +159,11 @@ impl Discretisation {
         }
     }
 
+    /// Ends the pressure flow at nodes whose film is below `film` \[m\].
+    pub(in crate::reynolds) fn close_below(&mut self, film: f64) {
+        self.closed_film = film;
+    }
+
     /// Sets speeds, time steps and schemes from the problem.
     pub(in crate::reynolds) fn configure(&mut self, problem: &LubricatedContact<'_>) {
         self.changes.forget();
@@ -176,8 +181,7 @@ impl Discretisation {
         // Films below the contact film occur in unconverged iterates. Their mobility keeps decreasing: a floor at
         // the contact film itself would hide from Newton's method that a node just below it can open.
         self.film_floor = 0.5 * problem.contact_film();
-        self.closed_film =
-            if problem.is_unified_reynolds() { problem.contact_film() } else { f64::NEG_INFINITY };
+        self.closed_film = f64::NEG_INFINITY;
         self.rate = speed / dx;
         let across = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
         self.set_coefficients(1.0 / (speed * dx), across);

@@ -18,7 +18,7 @@ const FEWEST: usize = 10;
 
 /// Rejects scenes that cannot be solved on half their cells, as their key `field` requires.
 pub(in crate::sim) fn require_half(scene: &Scene, field: &str) -> Result<(), InputError> {
-    if scene.is_lubricated() && scene.solver.contact == ContactDefinition::UnifiedReynolds {
+    if scene.is_lubricated() && scene.solver.contact != ContactDefinition::Hard {
         return Err(InputError::Conflict {
             field: "solver.contact = \"paper\"".to_owned(),
             reason: format!(

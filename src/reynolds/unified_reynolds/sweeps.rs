@@ -6,6 +6,7 @@
 //! convolution then updates the films. The approach changes by one per cent of the correction for the load
 //! error.
 
+use super::{classify, configure, evaluate, mark_contact, reaches_limit};
 use crate::grid::Grid;
 use crate::numerics::solve_tridiagonal;
 use crate::report::{Residuals, Status, Work};
@@ -15,7 +16,6 @@ use crate::reynolds::dry::hertzian;
 use crate::reynolds::inner_nodes::inner_rows;
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
-use crate::reynolds::unified_reynolds::reaches_limit;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
 /// Share of the approach correction that is applied after each sweep.
@@ -30,21 +30,21 @@ const STALL_SWEEPS: u64 = 5_000;
 
 /// Convergence parameters of the sweeps.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Damping {
+pub(in crate::reynolds) struct Damping {
     /// Share of each pressure change that is applied.
-    pub(super) relaxation: f64,
+    pub(in crate::reynolds) relaxation: f64,
     /// Factor on the implicit influence coefficients.
-    pub(super) stiffness: f64,
+    pub(in crate::reynolds) stiffness: f64,
 }
 
 /// Under-relaxed tridiagonal sweeps with pressure flow and entrainment, the latter with the three nearest
 /// influence coefficients.
 #[derive(Debug)]
-pub(super) struct Sweeps {
+pub(in crate::reynolds) struct Sweeps {
     /// Films, balances and residuals.
-    pub(super) coupled: Coupled,
+    pub(in crate::reynolds) coupled: Coupled,
     /// Residuals of the start and after each sweep.
-    pub(super) history: Vec<Residuals>,
+    pub(in crate::reynolds) history: Vec<Residuals>,
     /// State with the lowest residual.
     best: ContactState,
     /// Subdiagonal entries (upstream neighbor).
@@ -71,7 +71,7 @@ fn start_from_hertz(problem: &LubricatedContact<'_>, state: &mut ContactState) {
 
 impl Sweeps {
     /// Buffers for `grid`.
-    pub(super) fn new(grid: Grid) -> Self {
+    pub(in crate::reynolds) fn new(grid: Grid) -> Self {
         let line = || vec![0.0; grid.nx()];
         Self {
             coupled: Coupled::new(grid),
@@ -85,7 +85,7 @@ impl Sweeps {
     }
 
     /// Sweeps until `stop` or a stall, from a Hertzian pressure if `state` has none; leaves the best state.
-    pub(super) fn solve(
+    pub(in crate::reynolds) fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
@@ -94,7 +94,7 @@ impl Sweeps {
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
         let (status, residuals) = self.iterate(problem, state, stop, damping, work)?;
-        self.coupled.mark_contact(problem, state);
+        mark_contact(problem, state);
         work.convolutions += self.coupled.convolutions;
         Ok((status, residuals))
     }
@@ -139,14 +139,14 @@ impl Sweeps {
             }
             // active set, pressures, approach, films
             work.iterations += 1;
-            self.coupled.classify(problem, state);
+            classify(&mut self.coupled, problem, state);
             self.sweep(problem, state, damping);
             self.balance_load(problem, state);
-            residuals = self.coupled.evaluate(problem, state, Changed::Pressures)?;
+            residuals = evaluate(&mut self.coupled, problem, state, Changed::Pressures)?;
         }
         if best.is_finite() {
             state.clone_from(&self.best);
-            self.coupled.evaluate(problem, state, Changed::Pressures)?;
+            evaluate(&mut self.coupled, problem, state, Changed::Pressures)?;
         }
         Ok((status, best))
     }
@@ -161,8 +161,8 @@ impl Sweeps {
         if cold {
             start_from_hertz(problem, state);
         }
-        self.coupled.configure(problem);
-        let residuals = self.coupled.evaluate(problem, state, Changed::Pressures)?;
+        configure(&mut self.coupled, problem);
+        let residuals = evaluate(&mut self.coupled, problem, state, Changed::Pressures)?;
         if cold { self.open_film(problem, state) } else { Ok(residuals) }
     }
 
@@ -186,7 +186,7 @@ impl Sweeps {
                 *film += lift;
             }
         }
-        Ok(self.coupled.evaluate(problem, state, Changed::Film)?)
+        Ok(evaluate(&mut self.coupled, problem, state, Changed::Film)?)
     }
 
     /// One sweep over all lines.
