@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use stribeck::Grid;
 use stribeck::lubricant::{Barus, Incompressible, Lubricant};
 use stribeck::reynolds::{Feed, FilmThickness, GivenFilm, Grooves, JournalBearing, SideEdges};
-use stribeck::sim::{BearingNumbers, RigidBearing};
+use stribeck::sim::{BearingNumbers, RigidBearing, SceneFile};
 
 const ETA: f64 = 0.01;
 
@@ -218,7 +218,7 @@ fn dimples_and_heights_give_the_same_film() {
     let scene = |more: &str| {
         let path = folder.path().join("pad.toml");
         std::fs::write(&path, format!("[given_film]\n{square}{more}{OIL}")).unwrap();
-        let bearing = RigidBearing::load(&path).unwrap().unwrap();
+        let SceneFile::Bearing(bearing) = SceneFile::load(&path).unwrap() else { panic!("{more}") };
         bearing.solve(|| false).map(|solution| solution.numbers).map_err(|error| error.to_string())
     };
     let read = scene("heights = \"dimples.csv\"\nspacing = \"0.1 mm\"\n").unwrap();

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use stribeck::Status;
 use stribeck::sim::scene::GridSpec;
-use stribeck::sim::{ContactSolution, CyclePoint, MixedLubricationSim, RigidBearing, Scene, StepRecord};
+use stribeck::sim::{ContactSolution, CyclePoint, MixedLubricationSim, RigidBearing, Scene, SceneFile, StepRecord};
 
 /// Effective modulus of steel on steel, `E/(1 - v^2)` \[Pa\], viscosity \[Pa s\] and pressure-viscosity coefficient \[1/Pa\] of the scenes.
 const MODULUS: f64 = 206e9 / 0.91;
@@ -153,7 +153,10 @@ fn plane_pad_is_the_slider_of_textbooks_and_dimples_lower_its_load_and_friction(
 /// Without load the friction is that of Petroff; the eccentric axis adds `W c e sin(phi)/(2 R)` to the mean of both surfaces.
 #[test]
 fn journal_has_the_friction_of_petroff_and_of_its_load() {
-    let numbers = RigidBearing::load(path("journal.toml")).unwrap().unwrap().solve(|| false).unwrap().numbers;
+    let SceneFile::Bearing(bearing) = SceneFile::load(path("journal.toml")).unwrap() else {
+        panic!("another kind of scene")
+    };
+    let numbers = bearing.solve(|| false).unwrap().numbers;
     close("load", numbers.load, 2000.0, 1e-5);
     let (radius, clearance, speed) = (25e-3, 25e-6, 50.0 * PI * 50e-3);
     let petroff = numbers.eta0 * speed / clearance * 2.0 * PI * radius * 25e-3;

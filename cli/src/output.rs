@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use indicatif::ProgressBar;
-use stribeck::sim::{CheckpointError, OilNumbers, Scene, SimError, Warning};
+use stribeck::sim::{CheckpointError, OilNumbers, Scene, SceneFile, SimError, Warning};
 use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
 
@@ -188,25 +188,27 @@ pub(crate) fn report_files(files: &[PathBuf], json: bool) -> io::Result<()> {
     Ok(())
 }
 
-/// The scene in the file at `path`.
+/// The contents of the scene file at `path`.
+pub(crate) fn load_any(path: &Path) -> Result<SceneFile, String> {
+    SceneFile::load(path).map_err(|error| in_scene(path, plain(error).as_ref()))
+}
+
+/// The contact of curved bodies in the scene file at `path`.
 pub(crate) fn load(path: &Path) -> Result<Scene, String> {
-    Scene::load(path).map_err(|error| {
-        let text = in_scene(path, plain(error).as_ref());
-        if text.contains("unknown key `given_film`") {
-            return format!(
-                "{}: [given_film] is a rigid bearing, which `stribeck solve` and `curve` take",
-                path.display()
-            );
+    contact(path, load_any(path)?)
+}
+
+/// The contact of curved bodies in `file`; a file of another kind is an error that names the commands for it.
+pub(crate) fn contact(path: &Path, file: SceneFile) -> Result<Scene, String> {
+    let is = match file {
+        SceneFile::Contact(scene) => return Ok(*scene),
+        SceneFile::Bearing(_) => "[given_film] is a rigid bearing, which `stribeck solve` and `curve` take",
+        _ => {
+            "form.kind = \"flat\" is a contact of flat surfaces, which `stribeck solve` takes, one load.mean_pressure or \
+             load.mean_gap at a time"
         }
-        if text.contains("unknown value `flat`") {
-            return format!(
-                "{}: form.kind = \"flat\" is a contact of flat surfaces, which `stribeck solve` takes, one \
-                 load.mean_pressure or load.mean_gap at a time",
-                path.display()
-            );
-        }
-        text
-    })
+    };
+    Err(format!("{}: {is}", path.display()))
 }
 
 /// The error with the scene file in front, unless it already names it.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use numpy::PyArray2;
 use pyo3::prelude::*;
-use stribeck::sim::{FlatContact, SimError};
+use stribeck::sim::{SceneFile, SimError};
 
 use crate::convert::{field, list, named};
 use crate::error::value;
@@ -18,7 +18,7 @@ type Parts<'py> = (RecordParts<'py>, [Bound<'py, PyArray2<f64>>; 2]);
 /// Solves the flat contact of a scene file.
 #[pyfunction]
 pub(crate) fn solve_flat(py: Python<'_>, path: PathBuf) -> PyResult<Parts<'_>> {
-    let Some(contact) = value(py, FlatContact::load(&path))? else {
+    let SceneFile::Flat(contact) = value(py, SceneFile::load(&path))? else {
         let reason = "form.kind is not \"flat\"; stribeck.solve takes other contacts";
         let error = SimError::Scene { reason: format!("{}: {reason}", path.display()) };
         return value(py, Err(error));

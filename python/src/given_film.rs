@@ -8,7 +8,7 @@ use pyo3::types::PyDict;
 use stribeck::Grid;
 use stribeck::lubricant::{Barus, DowsonHigginson, Incompressible, Lubricant};
 use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
-use stribeck::sim::{RigidBearing, SimError, Warning, given_film_warnings};
+use stribeck::sim::{SceneFile, SimError, Warning, given_film_warnings};
 
 use crate::convert::{dictionary, field, list, named, on_grid};
 use crate::error::value;
@@ -95,8 +95,7 @@ impl SolvedFilm {
 /// Solves the rigid bearing of a scene file; its numbers with `status`, and its warnings.
 #[pyfunction]
 pub(crate) fn solve_bearing(py: Python<'_>, path: PathBuf) -> PyResult<RecordParts<'_>> {
-    let bearing = value(py, RigidBearing::load(&path))?;
-    let Some(bearing) = bearing else {
+    let SceneFile::Bearing(bearing) = value(py, SceneFile::load(&path))? else {
         let reason = "the scene has no table [given_film]; stribeck.solve takes contacts".to_owned();
         let error = SimError::Scene { reason: format!("{}: {reason}", path.display()) };
         return value(py, Err(error));

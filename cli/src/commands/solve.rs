@@ -11,9 +11,7 @@ use std::time::Instant;
 use indicatif::ProgressBar;
 use serde_json::Value;
 use stribeck::sim::scene::{GridSpec, Scene};
-use stribeck::sim::{
-    ContactSolution, FlatContact, MixedLubricationSim, RigidBearing, SimError, Warning, write_npz,
-};
+use stribeck::sim::{ContactSolution, MixedLubricationSim, SceneFile, SimError, Warning, write_npz};
 use stribeck::{Grid, Status};
 
 use super::contact_pictures::{Seen, maps, profile};
@@ -48,17 +46,11 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         output::keep_scene(&options.scene, path)?;
     }
     options.report.claim(&options.scene, options.output.force)?;
-    if let Some(bearing) = RigidBearing::load(&options.scene)
-        .map_err(|error| output::in_scene(&options.scene, output::plain(error).as_ref()))?
-    {
-        return bearing::run(options, &bearing);
-    }
-    if let Some(contact) = FlatContact::load(&options.scene)
-        .map_err(|error| output::in_scene(&options.scene, output::plain(error).as_ref()))?
-    {
-        return flat::run(options, &contact);
-    }
-    let scene = output::load(&options.scene)?;
+    let scene = match output::load_any(&options.scene)? {
+        SceneFile::Bearing(bearing) => return bearing::run(options, &bearing),
+        SceneFile::Flat(contact) => return flat::run(options, &contact),
+        file => output::contact(&options.scene, file)?,
+    };
     if !scene.motion.roughness.is_at_rest() {
         return passage::run(options, scene, start);
     }

@@ -18,7 +18,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use stribeck::Status;
 use stribeck::sim::scene::{GridSpec, Scene, SolverModel};
-use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, RigidBearing, SimError};
+use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, SceneFile, SimError};
 
 use self::axis::Axis;
 use self::model::{ModelChoice, Plan, Starts, resolved_values};
@@ -109,12 +109,10 @@ struct Curve<'a> {
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
-    if let Some(bearing) = RigidBearing::load(&options.scene)
-        .map_err(|error| output::in_scene(&options.scene, output::plain(error).as_ref()))?
-    {
-        return bearing::run(options, bearing);
-    }
-    let scene = output::load(&options.scene)?;
+    let scene = match output::load_any(&options.scene)? {
+        SceneFile::Bearing(bearing) => return bearing::run(options, *bearing),
+        file => output::contact(&options.scene, file)?,
+    };
     let start_conditions = axis::start(options, &scene)?;
     let values = axis::values(options, &scene, &start_conditions)?;
     let scenes =
