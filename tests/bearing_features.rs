@@ -1,4 +1,5 @@
 //! Rigid bearings beside hand formulas: pressures of the edges, feeds, grooves, heat balance, dimples and heights.
+#![expect(clippy::panic, reason = "tests")]
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,5 @@
 //! Scenes of machine elements beside hand formulas: film, load, wear and friction.
+#![expect(clippy::panic, reason = "tests")]
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -6,7 +7,9 @@ use std::path::{Path, PathBuf};
 
 use stribeck::Status;
 use stribeck::sim::scene::GridSpec;
-use stribeck::sim::{ContactSolution, CyclePoint, MixedLubricationSim, RigidBearing, Scene, SceneFile, StepRecord};
+use stribeck::sim::{
+    ContactSolution, CyclePoint, MixedLubricationSim, RigidBearing, Scene, SceneFile, StepRecord,
+};
 
 /// Effective modulus of steel on steel, `E/(1 - v^2)` \[Pa\], viscosity \[Pa s\] and pressure-viscosity coefficient \[1/Pa\] of the scenes.
 const MODULUS: f64 = 206e9 / 0.91;

@@ -171,15 +171,6 @@ fn wear_without_an_exposure_is_refused_with_the_choices() {
 }
 
 #[test]
-fn the_key_of_an_earlier_version_is_refused_with_the_one_that_took_its_place() {
-    for (value, pressure) in [("true", "solid"), ("false", "total")] {
-        let table = format!("[wear]\nexposure = \"track\"\nsolid_pressure_only = {value}\n");
-        let new = format!("pressure = \"{pressure}\"");
-        assert_names(&dry_text(&table), &["solid_pressure_only", &new, "wear"]);
-    }
-}
-
-#[test]
 fn wear_on_the_track_needs_the_radii_of_bodies_that_move() {
     let mut scene = dry(2.0, 32, Exposure::Track);
     (scene.track.radius_ball, scene.track.radius_disc) = (None, None);

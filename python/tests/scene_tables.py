@@ -28,6 +28,8 @@ _BASE: dict[str, Any] = {
     "grid": {"nx": 16, "ny": 16, "x": [-1e-3, 1e-3], "y": [-1e-3, 1e-3]},
 }
 _NO_SUCH = "no_such"
+#: Keys beside those of a law.
+_BESIDE: dict[str, dict[str, Any]] = {"wear": {"pressure": "solid", "exposure": "track"}}
 #: A value of no type that a key has, but tables.
 _TABLE = {_NO_SUCH: {}}
 #: Words of the crate for the types of values.
@@ -64,27 +66,35 @@ def _expected(answer: str) -> list[str]:
     return re.findall(r"`([^`]+)`", answer.partition("expected ")[2].split(" in `")[0])
 
 
-def _keys(path: str) -> list[str]:
-    """The keys of a table, of all its laws."""
+def _variants(path: str) -> tuple[str, list[str]] | None:
+    """The key that selects the other keys of a table, and its values."""
     answer = _answer(f"{path}.{_NO_SUCH}" if path else _NO_SUCH, 0)
-    if "unknown key" in answer:
-        names = _expected(answer)
-    elif f"{path}.law" in answer:
-        laws = _expected(_answer(path, {"law": _NO_SUCH}))
-        names = ["law", *(name for law in laws for name in _expected(_answer(path, {"law": law, _NO_SUCH: 0})))]
-    else:
-        names = []
-    return [name for name in dict.fromkeys(names) if "; write " not in _answer(f"{path}.{name}" if path else name, True)]
+    for tag in ("law", "kind"):
+        if f", {tag} = " in answer or f"missing key `{tag}`" in answer or f"`{path}.{tag}`" in answer:
+            return tag, _expected(_answer(path, {**_BESIDE.get(path, {}), tag: _NO_SUCH}))
+    return None
+
+
+def _keys(path: str) -> list[str]:
+    """The keys of a table, of all its laws or kinds."""
+    variants = _variants(path)
+    if variants:
+        tag, values = variants
+        beside = _BESIDE.get(path, {})
+        answers = [_answer(path, {**beside, tag: value, _NO_SUCH: 0}) for value in values]
+        return list(dict.fromkeys([tag, *beside, *(name for answer in answers for name in _expected(answer))]))
+    answer = _answer(f"{path}.{_NO_SUCH}" if path else _NO_SUCH, 0)
+    return _expected(answer) if "unknown key" in answer else []
 
 
 def _type(path: str) -> str:
     """The type of a value."""
-    # the variants of an oil's law answer for the whole table
-    law = re.match(r"(lubricant\.viscosity)\.(?!law)(\w+)", path)
+    table, _, key = path.rpartition(".")
+    variants = _variants(table) if table else None
     answers = [_answer(path, _TABLE)]
-    if law:
-        laws = _expected(_answer(law[1], {"law": _NO_SUCH}))
-        answers = [_answer(law[1], {"law": name, law[2]: _TABLE}) for name in laws]
+    if variants and key != variants[0]:
+        tag, values = variants
+        answers = [_answer(table, {**_BESIDE.get(table, {}), tag: value, key: _TABLE}) for value in values]
     return next((kind for words, kind in _TYPES.items() for answer in answers if words in answer), "str")
 
 

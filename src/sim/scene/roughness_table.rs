@@ -20,9 +20,9 @@ use crate::surface::{
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub(super) enum RoughnessTable {
     None {},
-    Gaussian(RandomTable<CorrelationLengths>),
-    Exponential(RandomTable<CorrelationLengths>),
-    SelfAffine(RandomTable<SelfAffineTable>),
+    Gaussian(CorrelatedTable),
+    Exponential(CorrelatedTable),
+    SelfAffine(SelfAffineTable),
     Dimples(DimplesTable),
     Grooves {
         width: f64,
@@ -37,13 +37,13 @@ pub(super) enum RoughnessTable {
     },
 }
 
-/// A random surface, with the keys of its `shape`.
+/// A surface by its autocorrelation.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct RandomTable<S> {
+pub(super) struct CorrelatedTable {
     rq: f64,
-    #[serde(flatten)]
-    shape: S,
+    length_x: f64,
+    length_y: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     skewness: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -56,16 +56,11 @@ pub(super) struct RandomTable<S> {
     seed: u64,
 }
 
-/// Lengths at which the autocorrelation is 10 % \[m\].
+/// A self-affine surface.
 #[derive(Serialize, Deserialize)]
-pub(super) struct CorrelationLengths {
-    length_x: f64,
-    length_y: f64,
-}
-
-/// The spectrum of a self-affine surface.
-#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub(super) struct SelfAffineTable {
+    rq: f64,
     hurst: f64,
     roll_off: f64,
     #[serde(default = "super::infinite", skip_serializing_if = "super::is_infinite")]
@@ -74,6 +69,16 @@ pub(super) struct SelfAffineTable {
     shortest: f64,
     #[serde(default, skip_serializing_if = "is_default")]
     synthesis: Synthesis,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    skewness: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kurtosis: Option<f64>,
+    #[serde(default, skip_serializing_if = "is_default")]
+    height: HeightScale,
+    #[serde(default, skip_serializing_if = "is_default")]
+    boundary: Boundary,
+    #[serde(default, with = "seed")]
+    seed: u64,
 }
 
 /// Dimples; those on a square lattice have no seed.
@@ -111,19 +116,11 @@ impl TryFrom<RoughnessTable> for Roughness {
     type Error = String;
 
     fn try_from(table: RoughnessTable) -> Result<Self, String> {
-        let correlated = |autocorrelation, table: RandomTable<CorrelationLengths>| {
-            let CorrelationLengths { length_x, length_y } = table.shape;
-            table.surface(RandomShape::Correlated { autocorrelation, length_x, length_y })
-        };
         Ok(match table {
             RoughnessTable::None {} => Self::None,
-            RoughnessTable::Gaussian(table) => correlated(Autocorrelation::Gaussian, table)?,
-            RoughnessTable::Exponential(table) => correlated(Autocorrelation::Exponential, table)?,
-            RoughnessTable::SelfAffine(table) => {
-                let SelfAffineTable { hurst, roll_off, longest, shortest, synthesis } = table.shape;
-                let spectrum = SelfAffine { hurst, longest, roll_off, shortest, synthesis };
-                table.surface(RandomShape::SelfAffine(spectrum))?
-            }
+            RoughnessTable::Gaussian(table) => table.surface(Autocorrelation::Gaussian)?,
+            RoughnessTable::Exponential(table) => table.surface(Autocorrelation::Exponential)?,
+            RoughnessTable::SelfAffine(table) => table.surface()?,
             RoughnessTable::Dimples(DimplesTable { radius, depth, pitch, layout, seed }) => {
                 let layout = match (layout, seed) {
                     (Layout::Square, None) => DimpleLayout::Square,
@@ -142,29 +139,54 @@ impl TryFrom<RoughnessTable> for Roughness {
     }
 }
 
-impl<S> RandomTable<S> {
-    /// The surface of `shape` with the other keys of the table.
-    fn surface(&self, shape: RandomShape) -> Result<Roughness, String> {
-        let distribution = match (self.skewness, self.kurtosis) {
-            (None, None) => HeightDistribution::Normal,
-            (Some(skewness), Some(kurtosis)) => HeightDistribution::Johnson { skewness, kurtosis },
-            (Some(_), None) => return Err("missing field `kurtosis`, it goes with `skewness`".to_owned()),
-            (None, Some(_)) => return Err("missing field `skewness`, it goes with `kurtosis`".to_owned()),
-        };
-        let (height, boundary) = (self.height, self.boundary);
-        let surface =
-            RandomSurface { distribution, height, boundary, ..RandomSurface::new(shape, self.rq, self.seed) };
-        Ok(Roughness::Random(surface))
+impl CorrelatedTable {
+    fn surface(self, autocorrelation: Autocorrelation) -> Result<Roughness, String> {
+        let Self { rq, length_x, length_y, height, boundary, seed, .. } = self;
+        let shape = RandomShape::Correlated { autocorrelation, length_x, length_y };
+        let distribution = distribution(self.skewness, self.kurtosis)?;
+        let surface = RandomSurface::new(shape, rq, seed);
+        Ok(Roughness::Random(RandomSurface { distribution, height, boundary, ..surface }))
     }
 
-    /// The table of `surface`, whose shape has the keys `shape`.
-    fn of(surface: &RandomSurface, shape: S) -> Self {
-        let (skewness, kurtosis) = match surface.distribution {
-            HeightDistribution::Normal => (None, None),
-            HeightDistribution::Johnson { skewness, kurtosis } => (Some(skewness), Some(kurtosis)),
-        };
-        let RandomSurface { rq, height, boundary, seed, .. } = *surface;
-        Self { rq, shape, skewness, kurtosis, height, boundary, seed }
+    fn of(surface: RandomSurface, [length_x, length_y]: [f64; 2]) -> Self {
+        let RandomSurface { rq, height, boundary, seed, .. } = surface;
+        let (skewness, kurtosis) = moments(surface.distribution);
+        Self { rq, length_x, length_y, skewness, kurtosis, height, boundary, seed }
+    }
+}
+
+impl SelfAffineTable {
+    fn surface(self) -> Result<Roughness, String> {
+        let Self { rq, hurst, roll_off, longest, shortest, synthesis, height, boundary, seed, .. } = self;
+        let shape = RandomShape::SelfAffine(SelfAffine { hurst, longest, roll_off, shortest, synthesis });
+        let distribution = distribution(self.skewness, self.kurtosis)?;
+        let surface = RandomSurface::new(shape, rq, seed);
+        Ok(Roughness::Random(RandomSurface { distribution, height, boundary, ..surface }))
+    }
+
+    fn of(surface: RandomSurface, spectrum: SelfAffine) -> Self {
+        let RandomSurface { rq, height, boundary, seed, .. } = surface;
+        let SelfAffine { hurst, longest, roll_off, shortest, synthesis } = spectrum;
+        let (skewness, kurtosis) = moments(surface.distribution);
+        Self { rq, hurst, roll_off, longest, shortest, synthesis, skewness, kurtosis, height, boundary, seed }
+    }
+}
+
+/// The distribution of heights with these moments.
+fn distribution(skewness: Option<f64>, kurtosis: Option<f64>) -> Result<HeightDistribution, String> {
+    match (skewness, kurtosis) {
+        (None, None) => Ok(HeightDistribution::Normal),
+        (Some(skewness), Some(kurtosis)) => Ok(HeightDistribution::Johnson { skewness, kurtosis }),
+        (Some(_), None) => Err("missing field `kurtosis`, it goes with `skewness`".to_owned()),
+        (None, Some(_)) => Err("missing field `skewness`, it goes with `kurtosis`".to_owned()),
+    }
+}
+
+/// Skewness and kurtosis of heights that are not normal.
+fn moments(distribution: HeightDistribution) -> (Option<f64>, Option<f64>) {
+    match distribution {
+        HeightDistribution::Normal => (None, None),
+        HeightDistribution::Johnson { skewness, kurtosis } => (Some(skewness), Some(kurtosis)),
     }
 }
 
@@ -174,16 +196,13 @@ impl From<Roughness> for RoughnessTable {
             Roughness::None => Self::None {},
             Roughness::Random(surface) => match surface.shape {
                 RandomShape::Correlated { autocorrelation, length_x, length_y } => {
-                    let table = RandomTable::of(&surface, CorrelationLengths { length_x, length_y });
+                    let table = CorrelatedTable::of(surface, [length_x, length_y]);
                     match autocorrelation {
                         Autocorrelation::Gaussian => Self::Gaussian(table),
                         Autocorrelation::Exponential => Self::Exponential(table),
                     }
                 }
-                RandomShape::SelfAffine(SelfAffine { hurst, longest, roll_off, shortest, synthesis }) => {
-                    let keys = SelfAffineTable { hurst, roll_off, longest, shortest, synthesis };
-                    Self::SelfAffine(RandomTable::of(&surface, keys))
-                }
+                RandomShape::SelfAffine(spectrum) => Self::SelfAffine(SelfAffineTable::of(surface, spectrum)),
             },
             Roughness::Texture(Texture::Dimples { radius, depth, pitch, layout }) => {
                 let (layout, seed) = match layout {
