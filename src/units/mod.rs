@@ -4,11 +4,14 @@
 //! SI units. A speed may be a rate of rotation on a diameter: `1500 rpm on 40 mm`. A power of ten changes the decimal exponent of the text, so that `9.525 mm` and `9.525e-3` are the same
 //! double. A new unit is an entry in `tables`; a new dimension is a variant, its table and its name.
 
+mod by_size;
 mod dimension;
 mod hints;
 mod spelling;
 mod tables;
 
+pub use self::by_size::by_size;
+pub(crate) use self::by_size::unit_by_size;
 pub use self::dimension::Dimension;
 #[cfg(feature = "serde")]
 pub(crate) use self::hints::toml_line;

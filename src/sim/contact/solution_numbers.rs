@@ -7,6 +7,7 @@
 use std::fmt;
 
 use crate::sim::contact::solution::ContactSolution;
+use crate::units::by_size;
 
 impl fmt::Display for ContactSolution {
     /// A short report, one line per topic.
@@ -26,19 +27,15 @@ impl fmt::Display for ContactSolution {
         writeln!(
             f,
             "Hertz      {}, {}; {moes}",
-            pressure(hertz.pressure),
+            by_size(hertz.pressure, "Pa"),
             if self.is_line() {
-                format!(
-                    "{}, half-width {}",
-                    scaled(hertz.force, "N/m", &THOUSANDS),
-                    length(hertz.half_width_x)
-                )
+                format!("{}, half-width {}", by_size(hertz.force, "N/m"), by_size(hertz.half_width_x, "m"))
             } else {
                 format!(
                     "{}, {} x {}",
-                    scaled(hertz.force, "N", &THOUSANDS),
-                    length(hertz.half_width_x),
-                    length(hertz.half_width_y)
+                    by_size(hertz.force, "N"),
+                    by_size(hertz.half_width_x, "m"),
+                    by_size(hertz.half_width_y, "m")
                 )
             }
         )?;
@@ -50,10 +47,10 @@ impl fmt::Display for ContactSolution {
             coefficient(self.friction.coefficient),
             coefficient(self.friction.boundary),
             coefficient(self.friction.fluid),
-            scaled(self.friction.power_loss, if self.is_line() { "W/m" } else { "W" }, &THOUSANDS)
+            by_size(self.friction.power_loss, if self.is_line() { "W/m" } else { "W" })
         )?;
         self.write_flow(f)?;
-        writeln!(f, "approach   {}", length(self.state.approach))?;
+        writeln!(f, "approach   {}", by_size(self.state.approach, "m"))?;
         self.write_errors(f)?;
         self.write_heat(f)?;
         self.write_starvation(f)?;
@@ -61,42 +58,10 @@ impl fmt::Display for ContactSolution {
     }
 }
 
-/// Factors of units and their prefixes, from small to large: of forces and powers.
-const THOUSANDS: [(f64, &str); 5] = [(1e-6, "u"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M")];
-
-/// A `value` in the largest of the units `factor prefix unit` that it reaches, with five digits.
-fn scaled(value: f64, unit: &str, units: &[(f64, &str)]) -> String {
-    let size = value.abs();
-    let usual = (1.0, "");
-    let (factor, prefix) = if size > 0.0 && size.is_finite() {
-        let reached = units.iter().rev().find(|(factor, _)| size >= 0.99999 * factor);
-        reached.or(units.first()).copied().unwrap_or(usual)
-    } else {
-        usual
-    };
-    let number = value / factor;
-    let digits = if number.abs() >= 1.0 { number.abs().log10() as usize } else { 0 };
-    format!("{number:.*} {prefix}{unit}", 4_usize.saturating_sub(digits))
-}
-
-/// A length in nm, um or mm by its size.
-fn length(value: f64) -> String {
-    match value.abs() {
-        size if size < 10e-6 => format!("{:.3} nm", value * 1e9),
-        size if size < 10e-3 => format!("{:.3} um", value * 1e6),
-        _ => format!("{:.4} mm", value * 1e3),
-    }
-}
-
 /// A friction coefficient, by powers of ten below a thousandth.
 fn coefficient(value: f64) -> String {
     let rounded = value.abs() < 1e-9;
     if value.abs() >= 1e-3 || rounded { format!("{value:.4}") } else { format!("{value:.2e}") }
-}
-
-/// A pressure in GPa, below a tenth of one in MPa.
-fn pressure(value: f64) -> String {
-    if value.abs() < 1e8 { format!("{:.4} MPa", value * 1e-6) } else { format!("{:.4} GPa", value * 1e-9) }
 }
 
 impl ContactSolution {
@@ -113,9 +78,9 @@ impl ContactSolution {
             writeln!(
                 f,
                 "film       central {}, minimum {}, mean {}{}",
-                length(film.central),
-                length(film.minimum),
-                length(film.mean_central),
+                by_size(film.central, "m"),
+                by_size(film.minimum, "m"),
+                by_size(film.mean_central, "m"),
                 film.formula_ratio.map_or_else(String::new, |ratio| {
                     let which = if self.roughness.composite_rq > 0.0 { "mean" } else { "central" };
                     format!("; {which} over formula {ratio:.3}")
@@ -125,8 +90,8 @@ impl ContactSolution {
         writeln!(
             f,
             "pressure   maximum {}, central {}",
-            pressure(self.pressure.max),
-            pressure(self.pressure.central)
+            by_size(self.pressure.max, "Pa"),
+            by_size(self.pressure.central, "Pa")
         )?;
         writeln!(
             f,
@@ -167,9 +132,8 @@ impl ContactSolution {
                 if self.model.is_some() { "not solved with model asperity_inlets" } else { "none: dry" };
             return writeln!(f, "flow       {reason}");
         };
-        let (factor, unit) = if self.is_line() { (1e6, "mm^2/s") } else { (1e9, "mm^3/s") };
-        let [inflow, outflow] =
-            [flow.inflow, flow.outflow].map(|flow| scaled(factor * flow, unit, &[(1.0, "")]));
+        let unit = if self.is_line() { "m^2/s" } else { "m^3/s" };
+        let [inflow, outflow] = [flow.inflow, flow.outflow].map(|flow| by_size(flow, unit));
         writeln!(f, "flow       in {inflow}, out {outflow}, imbalance {:.1e}", flow.imbalance)
     }
 
@@ -211,7 +175,7 @@ impl ContactSolution {
             f,
             "\nstarved    central film {:.3} of the flooded one of {}",
             starvation.film_ratio,
-            length(starvation.flooded_film)
+            by_size(starvation.flooded_film, "m")
         )?;
         match self.film.fluid_fraction {
             Some(fraction) => write!(f, "; oil fills {:.2} % of the gap in the contact", 100.0 * fraction),
@@ -225,21 +189,21 @@ impl ContactSolution {
         let (mises, shear) = (stress.von_mises, stress.orthogonal_shear);
         write!(
             f,
-            "\nstress     von Mises {:.4} GPa at {:.2} um, orthogonal shear {:.4} GPa at {:.2} um",
-            mises.stress * 1e-9,
-            mises.depth * 1e6,
-            shear.stress * 1e-9,
-            shear.depth * 1e6
+            "\nstress     von Mises {} at {}, orthogonal shear {} at {}",
+            by_size(mises.stress, "Pa"),
+            by_size(mises.depth, "m"),
+            by_size(shear.stress, "Pa"),
+            by_size(shear.depth, "m")
         )?;
         let Some(layer) = stress.layer else { return Ok(()) };
         write!(
             f,
-            "\nlayer      von Mises {:.4} GPa at {:.2} um, bond: shear {:.4} GPa, tension {:.4} GPa, surface: tension {:.4} GPa",
-            layer.von_mises.stress * 1e-9,
-            layer.von_mises.depth * 1e6,
-            layer.bond_shear.stress * 1e-9,
-            layer.bond_tension.stress * 1e-9,
-            layer.surface_tension.stress * 1e-9
+            "\nlayer      von Mises {} at {}, bond: shear {}, tension {}, surface: tension {}",
+            by_size(layer.von_mises.stress, "Pa"),
+            by_size(layer.von_mises.depth, "m"),
+            by_size(layer.bond_shear.stress, "Pa"),
+            by_size(layer.bond_tension.stress, "Pa"),
+            by_size(layer.surface_tension.stress, "Pa")
         )
     }
 }

@@ -3,41 +3,14 @@
 use std::fmt;
 
 use crate::sim::history::history_means::{HistoryMeans, RATES};
+use crate::units::unit_by_size;
 
 /// Columns that say nothing of a dry contact: its gap is rounding where the solids touch.
 const OF_FILMS: [&str; 3] = ["film.", "friction.fluid", "contact.film_cutoff"];
 /// Columns that are left out where they are zero: processes and corrections that the scene does not have.
 const OF_PROCESSES: [&str; 4] = ["wear.", "tribofilm.", "plastic.", "pressure.load_outside"];
-/// Volumes are in cubic millimetres.
-const CUBIC_MILLIMETRES: (f64, &str) = (1e9, "mm^3");
 /// Digits of a number.
 const DIGITS: i32 = 5;
-
-/// Units of a quantity in the SI unit `unit`, the largest first, with the values that one of them has.
-fn units(unit: &str) -> &'static [(f64, &'static str)] {
-    match unit {
-        "m" => &[(1e-3, "mm"), (1e-6, "um"), (0.0, "nm")],
-        "Pa" => &[(1e8, "GPa"), (1e5, "MPa"), (0.0, "Pa")],
-        "m^2" => &[(1e-6, "mm^2"), (0.0, "um^2")],
-        "m^3" => &[(0.0, CUBIC_MILLIMETRES.1)],
-        "m^3/s" => &[(0.0, "mm^3/s")],
-        _ => &[],
-    }
-}
-
-/// Factor from SI units to the unit `name`.
-fn factor(name: &str) -> f64 {
-    match name {
-        "mm" => 1e3,
-        "um" | "mm^2" => 1e6,
-        "nm" => 1e9,
-        "GPa" => 1e-9,
-        "MPa" => 1e-6,
-        "um^2" => 1e12,
-        "mm^3" | "mm^3/s" => CUBIC_MILLIMETRES.0,
-        _ => 1.0,
-    }
-}
 
 /// A number with its digits; very large and small ones with an exponent.
 fn digits(value: f64) -> String {
@@ -64,16 +37,14 @@ impl fmt::Display for HistoryMeans {
             if is_absent || (self.is_dry() && begins(column.name, &OF_FILMS)) {
                 continue;
             }
-            let of_size = units(column.unit).iter().find(|(least, _)| largest >= *least);
-            let unit = of_size.map_or(column.unit, |(_, name)| *name);
-            let cells =
-                values.map(|value| value.map_or_else(String::new, |value| digits(factor(unit) * value)));
+            let (unit, factor) = unit_by_size(largest, column.unit);
+            let cells = values.map(|value| value.map_or_else(String::new, |value| digits(value / factor)));
             let [first, last, mean] = cells;
             write!(f, "\n{:<28} {first:>12} {last:>12} {mean:>12}  {unit}", column.name)?;
         }
         for (name, rate) in RATES.into_iter().zip(self.specific_wear_rates().into_iter().flatten()) {
             if rate > 0.0 {
-                let (name, rate) = (format!("wear.{name}"), digits(CUBIC_MILLIMETRES.0 * rate));
+                let (name, rate) = (format!("wear.{name}"), digits(1e9 * rate));
                 write!(f, "\n{name:<28} {:>12} {rate:>12} {:>12}  mm^3/(N m)", "", "")?;
             }
         }

@@ -13,7 +13,6 @@ impl MixedLubricationSim {
             hertz: &self.contact.hertz,
             dx: self.contact.grid.dx(),
             smooth: record.roughness.composite_rq == 0.0,
-            largest_pressure: record.pressure.max,
             central_film: record.film.central,
             friction: record.friction.coefficient,
             load_ratio: record.contact.load_ratio,

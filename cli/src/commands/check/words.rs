@@ -2,6 +2,7 @@
 
 use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{Expectation, ExpectedFilm};
+use stribeck::units::by_size;
 
 use super::Expected;
 use super::parts::Part;
@@ -22,15 +23,15 @@ impl Expected {
         lines.extend(self.oil_lines());
         let half_width = 1e6 * hertz.half_width_x;
         let size = if self.sim.scene().form.is_line() {
-            format!("{}, half-width {half_width:.1} um", force(hertz.force, "N/m"))
+            format!("{}, half-width {half_width:.1} um", by_size(hertz.force, "N/m"))
         } else {
             format!(
                 "{}, half-widths {half_width:.1} x {:.1} um",
-                force(hertz.force, "N"),
+                by_size(hertz.force, "N"),
                 1e6 * hertz.half_width_y
             )
         };
-        lines.push(format!("Hertz      {}, {size}", pressure(hertz.pressure)));
+        lines.push(format!("Hertz      {}, {size}", by_size(hertz.pressure, "Pa")));
         lines.extend(self.mesh_lines());
         for (command, refusal) in [("solve", &self.refusals.solve), ("run", &self.refusals.run)] {
             lines.push(match refusal {
@@ -71,7 +72,7 @@ impl Expected {
         let lambda = film.lambda.map_or_else(String::new, |lambda| format!(", {lambda:.3} of Rq (lambda)"));
         let supplied = self.sim.scene().lubricant.and_then(|oil| oil.supplied_film);
         let supplied =
-            supplied.map_or_else(String::new, |film| format!(", {} at most is supplied", length_text(film)));
+            supplied.map_or_else(String::new, |film| format!(", {} at most is supplied", by_size(film, "m")));
         let mut lines = vec![
             format!(
                 "regime     {} (g_V {:.3e}, g_E {:.3e}; Moes M {:.2}, L {:.3})",
@@ -79,7 +80,7 @@ impl Expected {
             ),
             format!(
                 "film       {} in the middle by formula, smooth and flooded{supplied}{lambda}",
-                length_text(film.central)
+                by_size(film.central, "m")
             ),
             format!("load       {}", load_words(film)),
             rough,
@@ -174,21 +175,6 @@ impl Expected {
         }
         lines
     }
-}
-
-/// A force or a force per length, by its size in kilonewtons.
-fn force(value: f64, unit: &str) -> String {
-    if value < 1e3 { format!("{value:.4} {unit}") } else { format!("{:.2} k{unit}", 1e-3 * value) }
-}
-
-/// A pressure in GPa, in MPa below 0.1 GPa.
-fn pressure(pascal: f64) -> String {
-    if pascal < 1e8 { format!("{:.4} MPa", 1e-6 * pascal) } else { format!("{:.4} GPa", 1e-9 * pascal) }
-}
-
-/// A film in nm, in um from 1 um on.
-fn length_text(metre: f64) -> String {
-    if metre < 1e-6 { format!("{:.2} nm", 1e9 * metre) } else { format!("{:.2} um", 1e6 * metre) }
 }
 
 /// Shares of the load on the film and on solids.

@@ -7,6 +7,7 @@ use std::time::Instant;
 use stribeck::Status;
 use stribeck::sim::scene::BearingSpec;
 use stribeck::sim::{BearingNumbers, BearingSolution, RigidBearing};
+use stribeck::units::by_size;
 
 use super::{Options, write_fields};
 use crate::output::{self, Outcome};
@@ -98,23 +99,32 @@ fn profile(scene: &Path, solution: &BearingSolution) -> Chart {
 fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) -> String {
     let numbers = &solution.numbers;
     let per = per(bearing);
+    let is_line = !per.is_empty();
+    let force = |value: f64| by_size(value, if is_line { "N/m" } else { "N" });
+    let widening = numbers.bore_widening.map_or_else(String::new, |widening| {
+        format!("; wider by up to {} where the bore deflects", by_size(widening, "m"))
+    });
     let mut lines = vec![format!("status     {status}")];
     lines.extend(position(numbers));
     let BearingNumbers { friction_moving, friction_resting, .. } = numbers;
     lines.extend([
-        format!("load       {:.4} N{per}", numbers.load),
-        format!("film       least {:.3} um{}", 1e6 * numbers.least_film, numbers.bore_widening.map_or_else(String::new, |widening| format!("; wider by up to {:.3} um where the bore deflects", 1e6 * widening))),
-        format!("pressure   at most {:.4} MPa", 1e-6 * numbers.pressure_max),
+        format!("load       {}", force(numbers.load)),
+        format!("film       least {}{widening}", by_size(numbers.least_film, "m")),
+        format!("pressure   at most {}", by_size(numbers.pressure_max, "Pa")),
         format!(
-            "friction   {friction_moving:.4} N{per} on the moving surface, {friction_resting:.4} N{per} on the surface at rest; \
-             coefficient {}",
+            "friction   {} on the moving surface, {} on the surface at rest; coefficient {}",
+            force(*friction_moving),
+            force(*friction_resting),
             if numbers.friction_coefficient.is_finite() {
                 format!("{:.5}", numbers.friction_coefficient)
             } else {
                 "unknown without load".to_owned()
             }
         ),
-        format!("power      {:.4} W{per} lost by friction", numbers.power_loss),
+        format!(
+            "power      {} lost by friction",
+            by_size(numbers.power_loss, if is_line { "W/m" } else { "W" })
+        ),
     ]);
     lines.extend(solids(numbers, per));
     lines.extend(flows(bearing, numbers, per));

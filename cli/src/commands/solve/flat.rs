@@ -4,6 +4,7 @@ use std::error::Error;
 use std::time::Instant;
 
 use stribeck::sim::{FlatContact, FlatContactSolution};
+use stribeck::units::by_size;
 
 use super::{Options, write_fields, write_plain_report};
 use crate::output::{self, Outcome};
@@ -56,14 +57,14 @@ fn report(solution: &FlatContactSolution) -> String {
         format!("status     {}", solution.status),
         format!("area       {:.5} of the cell in contact", numbers.area_share),
         format!(
-            "mean gap   {:.3} nm, {:.3} of Rq",
-            1e9 * numbers.mean_gap,
+            "mean gap   {}, {:.3} of Rq",
+            by_size(numbers.mean_gap, "m"),
             numbers.mean_gap / numbers.composite_rq
         ),
         format!(
-            "pressure   {:.4} MPa on average, at most {:.4} GPa",
-            1e-6 * numbers.mean_pressure,
-            1e-9 * numbers.pressure_max
+            "pressure   {} on average, at most {}",
+            by_size(numbers.mean_pressure, "Pa"),
+            by_size(numbers.pressure_max, "Pa")
         ),
         format!("stiffness  {stiffness}"),
         format!(

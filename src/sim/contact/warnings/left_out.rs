@@ -24,6 +24,9 @@ const LARGEST_ELASTIC: f64 = 0.035;
 /// Equivalent modulus \[Pa\] below which bodies are elastomers, which do not yield.
 const ELASTOMER: f64 = 1e9;
 
+/// Largest pressure of a smooth contact over that of Hertz.
+const LARGEST_PRESSURE: f64 = 2.0;
+
 /// A contact at one operating point, solved or expected.
 pub(in crate::sim) struct OperatingPoint<'a> {
     /// The contact between smooth dry bodies.
@@ -52,7 +55,7 @@ pub(in crate::sim) fn left_out(scene: &Scene, point: &OperatingPoint<'_>) -> Vec
         isothermal(scene, point),
         sheared(scene, point),
         ridges(scene, point),
-        too_elastic(scene, point),
+        high_pressure(scene, point),
         yields(scene, point),
     ];
     checks.into_iter().flatten().collect()
@@ -124,21 +127,29 @@ fn ridges(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
     })
 }
 
-/// Elastic bodies under a pressure that no material carries without yielding.
-fn too_elastic(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
-    let (pressure, modulus) = (point.largest_pressure?, scene.equivalent_modulus().ok()?);
+/// A pressure between smooth bodies far above that of Hertz, or one that no elastic body carries without yielding.
+fn high_pressure(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
+    let (pressure, hertz) = (point.largest_pressure?, point.hertz.pressure);
+    let modulus = scene.equivalent_modulus().ok()?;
     let is_elastic = scene.plastic.is_none() && modulus > ELASTOMER;
-    (is_elastic && pressure > LARGEST_ELASTIC * modulus).then(|| {
-        Warning::new(
-            "pressure.max",
-            pressure,
+    let (message, remedy) = if point.composite_rq == 0.0 && pressure > LARGEST_PRESSURE * hertz {
+        let ratio = short(pressure / hertz);
+        (
+            format!("between smooth bodies it is {ratio} times the Hertz pressure of {} Pa", short(hertz)),
+            "check that the box holds the contact and the cells its film",
+        )
+    } else if is_elastic && pressure > LARGEST_ELASTIC * modulus {
+        (
             format!(
                 "it is above {LARGEST_ELASTIC} of the equivalent modulus, where asperities of any material yield: pressures are too high, and \
                  films at asperities too thin"
             ),
-            "[plastic] with the hardness of the softer body limits the pressure: hardness = \"7 GPa\" for hardened steel".to_owned(),
+            "[plastic] with the hardness of the softer body limits the pressure: hardness = \"7 GPa\" for hardened steel",
         )
-    })
+    } else {
+        return None;
+    };
+    Some(Warning::new("pressure.max", pressure, message, remedy.to_owned()))
 }
 
 /// Subsurface stress above the yield strength of the disc.

@@ -9,8 +9,6 @@ use crate::sim::contact::solution::ContactSolution;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::{GridSpec, Scene};
 
-/// Largest pressure of a smooth contact over that of Hertz.
-const LARGEST_PRESSURE: f64 = 2.0;
 /// Largest rise of a film above the bulk temperature \[K\].
 const LARGEST_RISE: f64 = 100.0;
 /// Largest cell width over inlet length: above it central films of smooth contacts have errors of a tenth or more.
@@ -44,8 +42,6 @@ pub(in crate::sim) struct SolvedContact<'a> {
     pub(in crate::sim) dx: f64,
     /// Whether the bodies are smooth.
     pub(in crate::sim) smooth: bool,
-    /// Largest pressure \[Pa\].
-    pub(in crate::sim) largest_pressure: f64,
     /// Central film \[m\].
     pub(in crate::sim) central_film: f64,
     /// Friction over the load.
@@ -58,8 +54,6 @@ pub(in crate::sim) struct SolvedContact<'a> {
 
 /// Warnings about a contact of `scene`; `with_error` if the error of its mesh is known.
 pub(in crate::sim) fn of_contact(scene: &Scene, seen: &SolvedContact<'_>, with_error: bool) -> Vec<Warning> {
-    let excess = || excess_pressure(seen.largest_pressure, seen.hertz.pressure);
-    let pressure = seen.smooth.then(excess).flatten();
     let inlet = (seen.smooth && !with_error).then(|| coarse_inlet(scene, seen)).flatten();
     let hot = seen.temperatures.and_then(|[largest, bulk]| hot_film(largest, bulk));
     let thick = scene.is_lubricated().then(|| thick_film(scene, seen.central_film)).flatten();
@@ -68,7 +62,7 @@ pub(in crate::sim) fn of_contact(scene: &Scene, seen: &SolvedContact<'_>, with_e
         ..found
     });
     let touching = (seen.smooth && scene.is_lubricated()).then(|| touching(scene, seen.load_ratio)).flatten();
-    pressure.into_iter().chain(inlet).chain(thick).chain(hot).chain(friction).chain(touching).collect()
+    inlet.into_iter().chain(thick).chain(hot).chain(friction).chain(touching).collect()
 }
 
 /// Warnings about the finished `solution` of `scene`.
@@ -81,7 +75,6 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
         hertz: &solution.hertz,
         dx: solution.grid.dx(),
         smooth,
-        largest_pressure: solution.pressure.max,
         central_film: solution.film.central,
         friction: solution.friction.coefficient,
         load_ratio: solution.contact.load_ratio,
@@ -207,22 +200,6 @@ fn hot_film(largest: f64, bulk: f64) -> Option<Warning> {
                 short(rise)
             ),
             "take film and friction as a guess".to_owned(),
-        )
-    })
-}
-
-/// Largest pressure \[Pa\] of a smooth contact far above the Hertz pressure.
-fn excess_pressure(largest: f64, hertz: f64) -> Option<Warning> {
-    (largest > LARGEST_PRESSURE * hertz).then(|| {
-        Warning::new(
-            "pressure.max",
-            largest,
-            format!(
-                "between smooth bodies it is {} times the Hertz pressure of {} Pa",
-                short(largest / hertz),
-                short(hertz)
-            ),
-            "check that the box holds the contact and the cells its film".to_owned(),
         )
     })
 }
