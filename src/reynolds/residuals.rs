@@ -77,6 +77,7 @@ impl Coupled {
     fn film_scale(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> f64 {
         let (mut sum, mut weight) = (0.0, 0.0);
         for (k, &p) in state.pressure.iter().enumerate() {
+            // The mass of the fluid, or the displacement of dry bodies, weighted by pressure.
             let length = if problem.lubricant.is_some() {
                 state.mass[k].max(problem.contact_film())
             } else {

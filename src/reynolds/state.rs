@@ -100,6 +100,7 @@ impl ContactState {
     /// # Errors
     /// [`InputError`] naming the field.
     pub fn validate(&self, grid: &Grid) -> Result<(), InputError> {
+        // Lengths, then film fractions.
         for (field, values) in [
             ("state.pressure", &self.pressure),
             ("state.fluid_pressure", &self.fluid_pressure),

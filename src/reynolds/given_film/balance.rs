@@ -147,8 +147,10 @@ fn faces_along(problem: &GivenFilm<'_>, film: &FilmThickness, entrained: f64, dr
     let node = |i: usize, j: usize| (grid.x(i), grid.y(j));
     let mut faces = Vec::with_capacity((nx + 1) * ny);
     for (j, i) in (0..ny).flat_map(|j| (0..=nx).map(move |i| (j, i))) {
+        // Film and flow resistance of the two half cells at the face.
         let [first, second] = problem.pieces(film, i, j);
         let whole = first.and(second);
+        // A feed may cover a part of the way between the two nodes.
         let free_share =
             if 0 < i && i < nx { free_share(problem.feeds, node(i - 1, j), node(i, j)) } else { 1.0 };
         faces.push(Face {

@@ -64,6 +64,7 @@ impl Row {
         row.profile.push([west, first]);
         let (mut before, mut x) = (first, west);
         for i in 0..=grid.nx() {
+            // The pressure of the next node, or of the edge behind the last one.
             let after = if i < grid.nx() {
                 let k = j * grid.nx() + i;
                 solved.balance.pressure(k, solved.unknowns[k])
@@ -71,6 +72,7 @@ impl Row {
                 last
             };
             let lengths = lengths(problem.film, i, j);
+            // Add friction and cavitation of the way between the two.
             row.walk(
                 problem,
                 solved,

@@ -70,6 +70,7 @@ pub(super) fn equilibrium(
     let mut walk = Walk::new(bearing, bore, attitude, interrupted)?;
     let (mut low, mut solution) = ([0.0, -load], walk.to(FIRST)?);
     while solution.load < load {
+        // Keep the last eccentricity that carries too little, and go on.
         low = [walk.eccentricity, solution.load - load];
         let next = walk.eccentricity + walk.step(&solution);
         if next > MOST_ECCENTRIC {

@@ -43,6 +43,7 @@ impl Hierarchy {
     ) -> Result<(), InputError> {
         for share in factors {
             self.evaluate(problem, lubricant, l)?;
+            // Bound the changes; very thin films are relaxed more cautiously.
             let largest = LARGEST_CHANGE * problem.reference_pressure;
             let factor = if self.is_very_thin { VERY_THIN_FACTOR } else { 1.0 };
             let factors = RelaxationFactors {

@@ -229,17 +229,20 @@ impl LineRelaxation {
         let (mut last_change, mut last_above) = (0.0, 0.0);
         for i in 1..nx - 1 {
             let k = j * nx + i;
+            // A node that is not relaxed here starts a new system.
             if self.far_factor[k] == 0.0 || stays_cavitated(level, k, nx) {
                 (last_change, last_above) = (0.0, 0.0);
             } else {
                 let p = &level.pressure;
                 let conductances = Conductances::of(level, k);
                 let has_fluid = |i: usize| i == 0 || i == nx - 1 || p[j * nx + i] > 0.0;
+                // Next to cavitation the balance has no couplings along the line.
                 let (west, east) = if has_fluid(i - 1) && has_fluid(i + 1) {
                     (conductances.west, conductances.east)
                 } else {
                     (0.0, 0.0)
                 };
+                // Forward elimination.
                 let residual = level.drive[k] - conductances.outflow(p, k, nx);
                 let pivot = 1.0 / (conductances.sum() - west * last_above);
                 last_change = (residual + west * last_change) * pivot;
@@ -247,6 +250,7 @@ impl LineRelaxation {
             }
             (change[i], above[i]) = (last_change, last_above);
         }
+        // Back substitution, and the damped and bounded change of the pressures.
         let mut next = 0.0;
         for i in (1..nx - 1).rev() {
             let k = j * nx + i;
@@ -266,6 +270,7 @@ impl LineRelaxation {
         for r in 0..n {
             let pivot = rows[r];
             let inverse = 1.0 / pivot[DIAGONAL];
+            // Eliminate the column below the pivot; the two entries above the diagonal change.
             for below in 1..=DIAGONAL.min(n - 1 - r) {
                 let slot = DIAGONAL - below;
                 let factor = rows[r + below][slot] * inverse;
@@ -276,6 +281,7 @@ impl LineRelaxation {
                 }
             }
         }
+        // Back substitution.
         let (mut next, mut second) = (0.0, 0.0);
         for r in (0..n).rev() {
             let value = (change[r] - rows[r][DIAGONAL + 1] * next - rows[r][DIAGONAL + 2] * second)

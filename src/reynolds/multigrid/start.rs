@@ -50,6 +50,7 @@ impl Hierarchy {
         let (least, most) = START_CELL;
         let cell = thinness.sqrt().clamp(least, most);
         let is_fine = |grid: &Grid| grid.dx() <= cell * a && grid.dy() <= cell * b;
+        // The coarsest grid whose cells suit the film.
         let first = self.levels.iter().position(|level| is_fine(&level.grid)).unwrap_or(self.top());
         self.set_hertzian_state(problem, first, film)?;
         self.set_thinness(displacement, film);
@@ -64,6 +65,7 @@ impl Hierarchy {
                 }
                 fine.is_evaluated = false;
             }
+            // A coarse grid is first order where its second-order error is a large share of the film.
             let error = SECOND_ORDER_ERROR * displacement * (self.levels[l].grid.dx() / a).powi(2);
             let rough = l < self.top() && error > LARGEST_ERROR * problem.reference_film;
             let (scheme, face_mobility) = if rough {
@@ -111,6 +113,7 @@ impl Hierarchy {
         self.approach = state.approach;
         self.displace(problem, self.top())?;
         let finest = self.finest();
+        // Mean displacement, weighted by pressure.
         let (mut sum, mut weight) = (0.0, f64::MIN_POSITIVE);
         for (p, displacement) in finest.pressure.iter().zip(&finest.film) {
             sum += p * displacement;
@@ -133,6 +136,7 @@ impl Hierarchy {
         let level = &mut self.levels[l];
         hertzian_on(&level.grid, problem, &mut level.pressure);
         level.clear_boundary();
+        // Scale to the load.
         let scale = problem.load / level.carried_load().max(f64::MIN_POSITIVE);
         for p in &mut level.pressure {
             *p *= scale;

@@ -132,6 +132,7 @@ fn apply(
     to: &mut [f64],
 ) {
     let nx = along_x.len();
+    // Along x: four entries of a row make one.
     for (row, out) in from.chunks_exact(width).zip(scratch.chunks_exact_mut(nx)) {
         for (value, stencil) in out.iter_mut().zip(along_x) {
             let [a, b, c, d] = stencil.weights;
@@ -139,6 +140,7 @@ fn apply(
             *value = a * s[0] + b * s[1] + c * s[2] + d * s[3];
         }
     }
+    // Along y: four rows make one.
     for (out, stencil) in to.chunks_exact_mut(nx).zip(along_y) {
         out.fill(0.0);
         for (m, weight) in stencil.weights.into_iter().enumerate() {

@@ -110,6 +110,7 @@ impl Across {
         let mut own = 0.0;
         for (entry, o, face) in [(north, k + nx, k), (south, k - nx, k - nx)] {
             let is_north = o > k;
+            // Mass that enters is advected by the unknown of the upstream node, if that has one.
             if face == enters {
                 if is_coupled[o] {
                     *entry -= share * self.advected[o] / advected[o];
@@ -118,6 +119,7 @@ impl Across {
             } else if is_coupled[k] {
                 continue;
             }
+            // Derivatives of the flow through the face by the unknowns on both of its sides.
             let [first_p, second_p, first_h, second_h] = self.faces.each_ref().map(|by| by[face]);
             let (first, second) = ([first_p, first_h], [second_p, second_h]);
             let (sign, here, there) = if is_north { (share, first, second) } else { (-share, second, first) };

@@ -45,6 +45,7 @@ impl CoarseFilms {
     pub(super) fn new(body: &mut dyn DeformationModel) -> Result<Self, InputError> {
         let grid = body.grid();
         let n = grid.len();
+        // Influence coefficients of all distances: the deflection by a pressure on one node.
         let mut unit = vec![0.0; n];
         unit[0] = 1.0 / body.influence(0, 0);
         let mut table = vec![0.0; n];
@@ -175,6 +176,7 @@ impl CoarseFilms {
         for ((s, d), root) in self.scratch.iter_mut().zip(&self.direction).zip(&self.root) {
             *s = d * root;
         }
+        // The operator is the mean influence, and the excess of the self-influence on the diagonal.
         self.influence.apply(&self.scratch, &mut self.image);
         for ((image, root), d) in self.image.iter_mut().zip(&self.root).zip(&self.direction) {
             *image = *image * root + self.excess * d;
@@ -185,6 +187,7 @@ impl CoarseFilms {
     fn precondition(&mut self) {
         self.inverse.apply(&self.residual, &mut self.image);
         for (image, root) in self.image.iter_mut().zip(&self.root) {
+            // Blocks without prescribed films have no unknown.
             if *root <= 0.0 {
                 *image = 0.0;
             }
@@ -204,6 +207,7 @@ fn mean_influence(grid: &Grid, table: &[f64], offset: [isize; 2]) -> f64 {
     for (j, in_rows) in rows {
         for (i, in_columns) in columns.clone() {
             let (i, j) = (i.min(grid.nx() - 1), j.min(grid.ny() - 1));
+            // Each offset of two nodes counts as often as it occurs between the blocks.
             sum += in_rows * in_columns * table[j * grid.nx() + i];
         }
     }

@@ -48,11 +48,13 @@ impl Workspace {
     ) -> Result<Status, ReynoldsError> {
         let film_cutoff = problem.film_cutoff;
         for doubling in 1..=DOUBLINGS {
+            // Start from the dry contact with a contact film twice as thick as before.
             let ratio = DOUBLED.powi(doubling);
             problem.film_cutoff = ratio * film_cutoff;
             self.newton.record.best.residuals = Residuals::UNKNOWN;
             let status = self.attempt(Start::Dry, problem, state, stop)?;
             if status == Status::Converged {
+                // Continue the solution to the contact film of the problem.
                 problem.film_cutoff = film_cutoff;
                 return self.lower_contact_film(problem, state, stop, ratio);
             }

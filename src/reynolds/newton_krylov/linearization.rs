@@ -85,8 +85,10 @@ impl Linearization {
             let [own_p, up_p, own_h, next_h, up_h] = beyond;
             for (i, k) in (rows.start * nx..rows.end * nx).enumerate() {
                 let (by_flow, derivatives) = fluid.east_derivatives(k, i % nx);
+                // Pressure flow through the face behind the node.
                 store(&mut east, i, by_flow, stiffness);
                 if has_corrections {
+                    // Entrainment through it that the masses of the nodes do not determine.
                     own_p.values[i] = single(stiffness * derivatives[0]);
                     up_p.values[i] = single(stiffness * derivatives[1]);
                     own_h.values[i] = single(derivatives[2]);

@@ -78,6 +78,7 @@ fn eliminate_nodes(
                 let (side, predicted) = (sides.values[i], prediction.node(k));
                 let limit = limits.map_or(f64::INFINITY, |limit| limit[k]);
                 let material = Material { contact_film, limit, own_influence, step_bound };
+                // An open node with small changes takes its prediction; the others solve their local equations.
                 let solution = material.settled(side, film[k], balance[k], &predicted).unwrap_or_else(|| {
                     eliminate(material, (fluid, lubricant), (k, side), (film[k], balance[k]), &predicted)
                 });

@@ -109,10 +109,12 @@ impl Newton {
         let mut error = 0.0;
         for length in control.step_lengths() {
             if length < 1.0 {
+                // Go back to the start of the step before a shorter one.
                 self.start.restore(&mut self.coupled, problem, state)?;
                 clamp_film_to_contact(&mut self.coupled, problem, state);
             }
             error = self.advance(problem, state, length * whole, length * control.step_bound)?;
+            // Accept the step as soon as the residual is low enough.
             if self.residuals.max() <= control.acceptable {
                 break;
             }

@@ -123,6 +123,7 @@ impl BlockPreconditioner {
     fn find_shares(&mut self, coupled: &Coupled, unknowns: &Unknowns) {
         for &k in unknowns.open() {
             let k = k as usize;
+            // Pressure flow over entrainment by the elastic response decides between film and pressure.
             let ratio = coupled.fluid.flow_ratio(k, coupled.near).max(0.0);
             if ratio < STIFF {
                 self.film_weight[k] = 1.0;

@@ -109,6 +109,7 @@ impl Window {
         for q in 0..self.grid.len() {
             let k = self.whole_index(q);
             self.nodes[q] = NodeSolution {
+                // Outermost nodes keep the pressure of the edge.
                 side: coupled.active_set[k],
                 pressure: state.pressure[k],
                 fluid_pressure: if coupled.active_set[k].fluid == Fluid::Boundary {
@@ -118,6 +119,7 @@ impl Window {
                 },
                 depth: state.plastic_depth[k],
             };
+            // Films respond to changes from the prediction.
             self.predicted[q] = prediction.pressure_and_film(k);
             if let Some(squeeze) = problem.squeeze {
                 self.previous_mass[q] = squeeze.previous_mass[k];
@@ -182,9 +184,11 @@ impl Window {
         let contact_film = problem.contact_film();
         for (q, node) in self.nodes.iter().enumerate() {
             let [predicted_pressure, predicted_film] = self.predicted[q];
+            // The elastic film by the own pressure, the others as predicted.
             let elastic_film = predicted_film + own * (node.pressure - predicted_pressure);
             self.elastic_film[q] = elastic_film;
             self.pressure[q] = node.fluid_pressure;
+            // The film by the state of the node: contact, plastic depth of fluid or solid, open.
             self.film[q] = match (node.side.fluid, node.side.solid) {
                 (_, Solid::Contact) => contact_film,
                 (Fluid::AtLimit, _) => elastic_film + node.depth,
@@ -264,6 +268,7 @@ impl Window {
         self.linearization.update(&self.fluid, own);
         self.is_coupled.fill(false);
         for (q, node) in self.nodes.iter().enumerate() {
+            // A chosen node with a balance has a pressure; one in contact has a fixed film.
             let has_balance = self.chosen[q] && node.side.has_balance();
             self.dof_map[q] = [has_balance, has_balance && !node.side.is_contact()].map(f32::from);
             if has_balance {

@@ -68,6 +68,7 @@ impl LineBlock {
             last = (*value - row[2] * last) * pivot;
             *value = last;
         }
+        // Back substitution.
         let mut next = 0.0;
         for (value, above) in line.iter_mut().zip(&self.above[nodes]).rev() {
             *value -= above * next;
@@ -83,6 +84,7 @@ impl FluidBlock for LineBlock {
             if k % self.nx == 0 {
                 above = 0.0;
             }
+            // Factors of the Thomas algorithm, new on every line.
             let pivot = 1.0 / (row[0] - row[2] * above);
             above = row[1] * pivot;
             (self.pivot[k], self.above[k]) = (pivot, above);
@@ -97,10 +99,12 @@ impl FluidBlock for LineBlock {
         let size = |values: &[f32]| values.iter().map(|value| value.abs()).sum::<f32>();
         let mut largest = f32::MAX;
         for pass in 0..passes(lines) {
+            // Gauss-Seidel over the lines, in alternating direction.
             for line in 0..lines {
                 self.relax(stencil, rhs, if pass % 2 == 0 { line } else { lines - 1 - line });
             }
             let reached = size(rhs);
+            // Growth beyond rounding of the first pass is divergence: return to that pass.
             if pass == 0 {
                 self.first.copy_from_slice(rhs);
                 largest = reached / f32::EPSILON;

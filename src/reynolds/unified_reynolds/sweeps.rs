@@ -193,6 +193,7 @@ impl Sweeps {
     fn sweep(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState, damping: Damping) {
         let grid = self.coupled.fluid.grid;
         for j in inner_rows(&grid) {
+            // Films and balances of all lines are those before the sweep.
             self.assemble_line(problem, state, j, damping.stiffness);
             solve_tridiagonal(&self.below, &self.diagonal, &mut self.above, &mut self.rhs);
             self.update_line(problem, state, j, damping.relaxation);
@@ -255,6 +256,7 @@ impl Sweeps {
             let limit = problem.limit_at(k);
             let wanted = (state.fluid_pressure[k] + self.rhs[i]).clamp(0.0, limit);
             let mut fluid = state.fluid_pressure[k] + relaxation * (wanted - state.fluid_pressure[k]);
+            // A pressure that decays to zero ends there.
             if wanted == 0.0 && fluid < NEGLIGIBLE_PRESSURE * problem.reference_pressure {
                 fluid = 0.0;
             }

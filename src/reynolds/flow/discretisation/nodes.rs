@@ -106,6 +106,7 @@ impl Discretisation {
             let first = rows.start * nx;
             for (i, (node, mass)) in nodes.values.iter_mut().zip(masses.values).enumerate() {
                 let k = first + i;
+                // Nodes that have not changed keep their quantities.
                 if this.changes.at(k) {
                     let (p, h) = (pressure[k], film[k]);
                     let (flow, viscosity) = this.node_at(lubricant, k, p, h);
