@@ -71,12 +71,22 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if options.output.plot {
         picture::write(&chart(&output::stem(&options.scene), &solution), &options.output.out, &name)?;
     }
+    finish(options, &solution, is_line, targets, start.elapsed().as_secs_f64())
+}
+
+/// Prints the numbers of a solved cycle, and the files `written`.
+fn finish(
+    options: &Options,
+    solution: &CycleSolution,
+    is_line: bool,
+    mut written: Vec<PathBuf>,
+    seconds: f64,
+) -> Result<Outcome, Box<dyn Error>> {
     output::warn(&solution.warnings);
-    let squeeze = squeeze_warning(&solution);
+    let squeeze = squeeze_warning(solution);
     if let Some(text) = &squeeze {
         output::complain("warning", text);
     }
-    let seconds = start.elapsed().as_secs_f64();
     let numbers = json!({
         "points": solution.points,
         "cycles": solution.cycles,
@@ -84,23 +94,22 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         "largest_step": solution.largest_step,
         "closure": solution.closure,
         "mean_friction_power": mean_power(&solution.points),
-        "largest_squeeze_ratio": largest_squeeze(&solution).map(|point| point.squeeze_ratio),
+        "largest_squeeze_ratio": largest_squeeze(solution).map(|point| point.squeeze_ratio),
         "warnings": solution.warnings,
         "ended_early": solution.ended_early.as_ref().map(ToString::to_string),
         "seconds": seconds,
         "version": env!("CARGO_PKG_VERSION"),
     });
     if let Some(path) = &options.report.report {
-        let (solution, form) = (&solution, is_line);
-        write_report(options, (solution, squeeze), (&numbers, form), path)?;
-        targets.push(path.clone());
+        write_report(options, (solution, squeeze), (&numbers, is_line), path)?;
+        written.push(path.clone());
     }
     if options.output.json {
         output::print(&numbers)?;
     } else {
-        output::print(&format!("{}\ntime       {seconds:.2} s", report(&solution, is_line)))?;
+        output::print(&format!("{}\ntime       {seconds:.2} s", report(solution, is_line)))?;
     }
-    output::report_files(&targets, options.output.json)?;
+    output::report_files(&written, options.output.json)?;
     if let Some(reason) = &solution.ended_early {
         output::complain(
             "error",
@@ -135,6 +144,30 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
         }
     };
     let mut lines = vec![format!("cycle      {} contacts, {step}", points.len())];
+    lines.extend(extremes(solution, is_line));
+    lines.extend(history::table(&solution.cycles, is_line));
+    lines.push(format!(
+        "\n{:>12} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}",
+        if points.iter().any(|point| point.angle.is_some()) { "angle, deg" } else { "time, s" },
+        "ball, m/s",
+        "disc, m/s",
+        "load",
+        "h, nm",
+        "h min, nm",
+        "p, GPa",
+        "on solids",
+        "friction",
+        "flash,K"
+    ));
+    let every = points.len().div_ceil(LINES).max(1);
+    lines.extend(points.iter().step_by(every).map(row));
+    lines.join("\n")
+}
+
+/// The extremes of the cycle, in lines.
+fn extremes(solution: &CycleSolution, is_line: bool) -> Vec<String> {
+    let points = &solution.points;
+    let mut lines = Vec::new();
     let extreme = |value: fn(&CyclePoint) -> f64, sign: f64| {
         points.iter().max_by(|a, b| (sign * value(a)).total_cmp(&(sign * value(b))))
     };
@@ -171,23 +204,7 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
         let ratio = point.squeeze_ratio.unwrap_or(0.0);
         lines.push(format!("squeeze    {ratio:.3} of the entrainment at {}", place(point)));
     }
-    lines.extend(history::table(&solution.cycles, is_line));
-    lines.push(format!(
-        "\n{:>12} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}",
-        if points.iter().any(|point| point.angle.is_some()) { "angle, deg" } else { "time, s" },
-        "ball, m/s",
-        "disc, m/s",
-        "load",
-        "h, nm",
-        "h min, nm",
-        "p, GPa",
-        "on solids",
-        "friction",
-        "flash,K"
-    ));
-    let every = points.len().div_ceil(LINES).max(1);
-    lines.extend(points.iter().step_by(every).map(row));
-    lines.join("\n")
+    lines
 }
 
 /// A contact in a line.

@@ -11,7 +11,9 @@ use std::time::Instant;
 use indicatif::ProgressBar;
 use serde_json::Value;
 use stribeck::sim::scene::{GridSpec, Scene};
-use stribeck::sim::{ContactSolution, MixedLubricationSim, SceneFile, SimError, Warning, write_npz};
+use stribeck::sim::{
+    ContactSolution, MixedLubricationSim, OilNumbers, SceneFile, SimError, Warning, write_npz,
+};
 use stribeck::{Grid, Status};
 
 use super::contact_pictures::{Seen, maps, profile};
@@ -84,40 +86,49 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         }
         solved => solved.map_err(|error| output::in_scene(&options.scene, &error))?,
     };
-    let seconds = start.elapsed().as_secs_f64();
+    output::warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
+    finish(options, &solution, oil.as_ref(), start.elapsed().as_secs_f64())?;
+    Ok(solution.report.status.into())
+}
+
+/// Writes the files of a solved contact and prints its numbers.
+fn finish(
+    options: &Options,
+    solution: &ContactSolution,
+    oil: Option<&OilNumbers>,
+    seconds: f64,
+) -> Result<(), Box<dyn Error>> {
     let mut written = Vec::new();
     if let Some(path) = &options.fields {
         write_fields(path, &solution.grid, &solution.fields())?;
         written.push(path.clone());
     }
     if options.output.plot {
-        written.extend(pictures(options, &solution)?);
+        written.extend(pictures(options, solution)?);
     }
-    let mut numbers = serde_json::to_value(&solution)?;
+    let mut numbers = serde_json::to_value(solution)?;
     numbers["seconds"] = seconds.into();
-    numbers["oil"] = serde_json::to_value(&oil)?;
+    numbers["oil"] = serde_json::to_value(oil)?;
     if let Some(path) = &options.report.report {
-        write_report(options, &solution, &numbers, path)?;
+        write_report(options, solution, &numbers, path)?;
         written.push(path.clone());
     }
-    output::warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
     if options.output.json {
         output::print(&numbers)?;
     } else {
-        let scatter =
-            oil.as_ref().filter(|oil| oil.film_uncertainty >= 0.005).map_or_else(String::new, |oil| {
-                format!(
-                    "\nby alpha   +- {:.0} % of the film: {}, +- {:.0} %",
-                    100.0 * oil.film_uncertainty,
-                    oil.alpha_source,
-                    100.0 * oil.alpha_uncertainty
-                )
-            });
-        let kappa = oil.as_ref().and_then(output::kappa).map_or_else(String::new, |line| format!("\n{line}"));
+        let scatter = oil.filter(|oil| oil.film_uncertainty >= 0.005).map_or_else(String::new, |oil| {
+            format!(
+                "\nby alpha   +- {:.0} % of the film: {}, +- {:.0} %",
+                100.0 * oil.film_uncertainty,
+                oil.alpha_source,
+                100.0 * oil.alpha_uncertainty
+            )
+        });
+        let kappa = oil.and_then(output::kappa).map_or_else(String::new, |line| format!("\n{line}"));
         output::print(&format!("{solution}{scatter}{kappa}\ntime       {seconds:.2} s"))?;
     }
     output::report_files(&written, options.output.json)?;
-    Ok(solution.report.status.into())
+    Ok(())
 }
 
 /// The solution of one mesh of several in a line.

@@ -86,6 +86,31 @@ fn set<T: Clone>(
     Ok(())
 }
 
+/// The length `text` of the key `name`, whose unit is `key_unit` where the text has none.
+fn length(
+    source: Source<'_>,
+    name: &str,
+    text: &str,
+    key_unit: Option<LengthUnit>,
+    default: Option<LengthUnit>,
+) -> Result<Length, Error> {
+    let (value, unit) = quantity(text)
+        .ok_or_else(|| source.corrupt(format!("{name} = {} is not a length", shortened(text))))?;
+    // "um/sample"
+    let unit = match unit.split_once('/') {
+        Some((unit, "sample" | "pixel" | "point")) => unit,
+        _ => unit,
+    };
+    let unit = match unit {
+        "" => key_unit,
+        unit => Some(source.unit(unit, name)?),
+    };
+    if value <= 0.0 {
+        return Err(source.corrupt(format!("{name} = {text}: it must be finite and > 0")));
+    }
+    Ok(Length { value, unit, default })
+}
+
 /// Units of positions and heights of a profile of SPIP: `X-Axis: nm; Y-Axis: nm`.
 fn axes_of_profile(line: &str) -> Option<(&str, &str)> {
     let (x, z) = line.strip_prefix("X-Axis:")?.split_once(';')?;
@@ -149,41 +174,19 @@ impl Header {
             return Ok(());
         };
         self.is_known |= !matches!(meaning, Key::Nothing | Key::Name);
-        let length = |text: &str, default: Option<LengthUnit>| {
-            let found = quantity(text)
-                .ok_or_else(|| source.corrupt(format!("{name} = {} is not a length", shortened(text))))?;
-            // "um/sample"
-            let unit = match found.1.split_once('/') {
-                Some((unit, "sample" | "pixel" | "point")) => unit,
-                _ => found.1,
-            };
-            let unit = match unit {
-                "" => key_unit,
-                unit => Some(source.unit(unit, &name)?),
-            };
-            if found.0 <= 0.0 {
-                return Err(source.corrupt(format!("{name} = {text}: it must be finite and > 0")));
-            }
-            Ok(Length { value: found.0, unit, default })
-        };
+        let length = |default| length(source, &name, value, key_unit, default);
         match meaning {
-            Key::Count(axis) => {
-                let count =
-                    value.parse::<usize>().ok().filter(|count| *count > 0).ok_or_else(|| {
-                        source.corrupt(format!("{name} = {} is not a count", shortened(value)))
-                    })?;
-                set(source, &mut self.counts[axis], &name, count, usize::eq, usize::to_string)
-            }
+            Key::Count(axis) => self.take_count(source, &name, axis, value),
             Key::Counts => self.take_counts(source, &name, value),
-            Key::Size(axis) => self.set_length(source, &name, axis, true, length(value, None)?),
+            Key::Size(axis) => self.set_length(source, &name, axis, true, length(None)?),
             Key::SizeInNanometres(axis) => {
-                let length = length(value, Some(LengthUnit::Nanometre))?;
+                let length = length(Some(LengthUnit::Nanometre))?;
                 self.set_length(source, &name, axis, true, length)
             }
             Key::Sizes => self.take_sizes(source, &name, value),
-            Key::Spacing(axis) => self.set_length(source, &name, axis, false, length(value, None)?),
+            Key::Spacing(axis) => self.set_length(source, &name, axis, false, length(None)?),
             Key::Spacings => {
-                let length = length(value, None)?;
+                let length = length(None)?;
                 self.set_length(source, &name, 0, false, length)?;
                 self.set_length(source, &name, 1, false, length)
             }
@@ -199,22 +202,13 @@ impl Header {
             }
             Key::Nanometres => self.take_number(source, &name, value, |header| &mut header.nanometres),
             Key::ScaleData => self.take_number(source, &name, value, |header| &mut header.scale_data),
-            Key::Factor => {
-                if let Some((_, unit)) = name.split_once('>') {
-                    self.factor_unit = Some(source.unit(unit.trim().trim_end_matches(')'), "height")?);
-                }
-                self.take_number(source, &name, value, |header| &mut header.factor)
-            }
+            Key::Factor => self.take_factor(source, &name, value),
             Key::FactorNeeded => {
                 self.scale_data_needed = Some(matches!(value.to_lowercase().as_str(), "yes" | "true" | "1"));
                 Ok(())
             }
-            Key::NoData => {
-                if !is_undefined(value) {
-                    self.take_number(source, &name, value, |header| &mut header.no_data)?;
-                }
-                Ok(())
-            }
+            Key::NoData if is_undefined(value) => Ok(()),
+            Key::NoData => self.take_number(source, &name, value, |header| &mut header.no_data),
             Key::VoidPixels => {
                 self.has_void_matrix = quantity(value).is_some_and(|(count, _)| count > 0.0);
                 Ok(())
@@ -225,6 +219,22 @@ impl Header {
             }
             Key::Nothing => Ok(()),
         }
+    }
+
+    /// Takes the number of points along `axis`.
+    fn take_count(&mut self, source: Source<'_>, name: &str, axis: usize, value: &str) -> Result<(), Error> {
+        let count = value.parse::<usize>().ok().filter(|count| *count > 0);
+        let count =
+            count.ok_or_else(|| source.corrupt(format!("{name} = {} is not a count", shortened(value))))?;
+        set(source, &mut self.counts[axis], name, count, usize::eq, usize::to_string)
+    }
+
+    /// Takes heights per stored number, in the unit that the key names.
+    fn take_factor(&mut self, source: Source<'_>, name: &str, value: &str) -> Result<(), Error> {
+        if let Some((_, unit)) = name.split_once('>') {
+            self.factor_unit = Some(source.unit(unit.trim().trim_end_matches(')'), "height")?);
+        }
+        self.take_number(source, name, value, |header| &mut header.factor)
     }
 
     /// Takes a finite number.

@@ -91,18 +91,8 @@ impl Table {
                 self.decimals.push(0);
                 self.precision.push((0, 0));
             }
-            let place = column - skipped;
-            if let (Some(most), Some(precision)) =
-                (self.decimals.get_mut(place), self.precision.get_mut(place))
-                && !height.is_nan()
-            {
-                let (digits, after) = (significant_digits(field), decimals(field));
-                *most = (*most).max(after);
-                match digits.cmp(&precision.0) {
-                    Ordering::Greater => *precision = (digits, after),
-                    Ordering::Equal => precision.1 = precision.1.min(after),
-                    Ordering::Less => {}
-                }
+            if !height.is_nan() {
+                self.count_digits(column - skipped, field);
             }
         }
         let mut count = self.values.len() - before;
@@ -119,6 +109,19 @@ impl Table {
         }
         self.rows += 1;
         Ok(())
+    }
+
+    /// Takes the digits of the number `field` of a column.
+    fn count_digits(&mut self, column: usize, field: &str) {
+        let columns = (self.decimals.get_mut(column), self.precision.get_mut(column));
+        let (Some(most), Some(precision)) = columns else { return };
+        let (digits, after) = (significant_digits(field), decimals(field));
+        *most = (*most).max(after);
+        match digits.cmp(&precision.0) {
+            Ordering::Greater => *precision = (digits, after),
+            Ordering::Equal => precision.1 = precision.1.min(after),
+            Ordering::Less => {}
+        }
     }
 
     /// Digits after the decimal mark to which the numbers of a column are printed: those of the longest, which in a format
