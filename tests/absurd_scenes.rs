@@ -357,11 +357,8 @@ proptest! {
     /// Absurd ones too, as long as their numbers are numbers: NaN is not itself.
     #[test]
     fn absurd_scenes_round_trip_through_toml(scene in absurd_scenes()) {
-        match scene.to_toml() {
-            Ok(text) => {
-                let read = Scene::from_toml(&text).map(|scene| format!("{scene:?}"));
-                prop_assert_eq!(read.unwrap(), format!("{scene:?}"), "{}", text);
-            }
+        match scene.to_toml().and_then(|text| Scene::from_toml(&text)) {
+            Ok(read) => prop_assert_eq!(format!("{read:?}"), format!("{scene:?}")),
             // Counts beyond the integers of TOML.
             Err(error) => prop_assert!(matches!(scene.grid, GridSpec::Cells { nx: usize::MAX, .. }), "{}", error),
         }

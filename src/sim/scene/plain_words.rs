@@ -13,7 +13,7 @@ const REMEDIES: [(&str, &str); 2] = [
 ];
 
 /// Terms of the parser and their replacements for readers of scene files.
-const WORDS: [(&str, &str); 26] = [
+const WORDS: [(&str, &str); 27] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number from 0"),
     ("expected u64", "expected a whole number from 0"),
@@ -34,6 +34,7 @@ const WORDS: [(&str, &str); 26] = [
     ("invalid value: ", ""),
     ("invalid length ", "length "),
     ("number too large to fit in target type", "the number is too large"),
+    ("u64 value was too large", "the number is too large"),
     ("invalid digit found in string", "not a whole number"),
     ("unknown variant", "unknown value"),
     ("unknown field", "unknown key"),

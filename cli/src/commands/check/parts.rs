@@ -69,33 +69,7 @@ pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part
     ];
     if scene.is_lubricated() {
         parts.push(inlet(scene, sim)?);
-        parts.push(match scene.motion.spin_radius {
-            Some(_) => part("spin", true, "motion.spin_radius is given"),
-            None => part("spin", false, "without motion.spin_radius the surfaces move along x alone"),
-        });
-        let warm = scene.lubricant.as_ref().is_some_and(|oil| oil.thermal.is_some());
-        parts.push(if warm {
-            part("film temperature", true, "lubricant.thermal is given")
-        } else {
-            part("film temperature", false, "without [lubricant.thermal] the film has the bulk temperature")
-        });
-        let FrictionSpec { eyring_stress, carreau_stress, flow_thinning, .. } = &scene.friction;
-        let law = match (eyring_stress, carreau_stress) {
-            (Some(_), _) => "by Eyring, friction.eyring_stress is given",
-            (None, Some(_)) => "by Carreau, friction.carreau_stress is given",
-            (None, None) => {
-                "Newtonian up to its largest stress, without friction.eyring_stress or carreau_stress"
-            }
-        };
-        parts.push(part(SHEAR, true, law));
-        parts.push(match flow_thinning {
-            Some(_) => part("flow thinning", true, "friction.flow_thinning is given"),
-            None => part(
-                "flow thinning",
-                false,
-                "without friction.flow_thinning sliding leaves the flow by pressure its viscosity",
-            ),
-        });
+        parts.extend(fluid(scene));
     }
     for (name, key, roughness) in [
         ("rough ball", "roughness.ball", &scene.roughness.ball),
@@ -110,6 +84,40 @@ pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part
     parts.push(sliding(scene)?);
     parts.extend(changes(scene, sim));
     Ok(parts)
+}
+
+/// Spin, temperature and shear thinning of the film.
+fn fluid(scene: &Scene) -> [Part; 4] {
+    let part = |name, modelled, why: &str| Part { name, modelled, why: why.to_owned() };
+    let warm = scene.lubricant.as_ref().is_some_and(|oil| oil.thermal.is_some());
+    let FrictionSpec { eyring_stress, carreau_stress, flow_thinning, .. } = &scene.friction;
+    let law = match (eyring_stress, carreau_stress) {
+        (Some(_), _) => "by Eyring, friction.eyring_stress is given",
+        (None, Some(_)) => "by Carreau, friction.carreau_stress is given",
+        (None, None) => {
+            "Newtonian up to its largest stress, without friction.eyring_stress or carreau_stress"
+        }
+    };
+    [
+        match scene.motion.spin_radius {
+            Some(_) => part("spin", true, "motion.spin_radius is given"),
+            None => part("spin", false, "without motion.spin_radius the surfaces move along x alone"),
+        },
+        if warm {
+            part("film temperature", true, "lubricant.thermal is given")
+        } else {
+            part("film temperature", false, "without [lubricant.thermal] the film has the bulk temperature")
+        },
+        part(SHEAR, true, law),
+        match flow_thinning {
+            Some(_) => part("flow thinning", true, "friction.flow_thinning is given"),
+            None => part(
+                "flow thinning",
+                false,
+                "without friction.flow_thinning sliding leaves the flow by pressure its viscosity",
+            ),
+        },
+    ]
 }
 
 /// The layer on a body.

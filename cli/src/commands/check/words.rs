@@ -68,7 +68,7 @@ impl Expected {
                 format!("heat       flash of about {flash_rise:.1} K"),
             ];
         };
-        let (map, moes, [boundary, fluid]) = (&film.map, formula.moes, film.friction);
+        let (map, moes) = (&film.map, formula.moes);
         let lambda = film.lambda.map_or_else(String::new, |lambda| format!(", {lambda:.3} of Rq (lambda)"));
         let supplied = self.sim.scene().lubricant.and_then(|oil| oil.supplied_film);
         let supplied =
@@ -86,31 +86,7 @@ impl Expected {
             rough,
         ];
         lines.extend(self.contact_film_line(film));
-        if boundary + fluid > 0.0 {
-            let (all, rise) = (boundary + fluid, film.film_rise);
-            let of = match film.load_ratio_range {
-                Some(_) => {
-                    let range = film
-                        .friction_range
-                        .filter(|[least, most]| most - least > SPREAD * all)
-                        .map(|[least, most]| format!("{least:.4} to {most:.4} by the share of solids"));
-                    match (range, film.load_ratio) {
-                        (Some(range), None) => range,
-                        (range, _) => {
-                            let range = range.map_or_else(String::new, |range| format!(", {range}"));
-                            format!(
-                                "about {all:.4}{range}: solids {boundary:.4}, isothermal fluid {fluid:.4}"
-                            )
-                        }
-                    }
-                }
-                None => format!("of the isothermal fluid alone about {fluid:.4}"),
-            };
-            lines.push(format!("friction   {of}; it would warm the film by {rise:.1} K"));
-        } else if (boundary + fluid).is_nan() {
-            let text = "friction   not estimated: the oil carries over more than the Hertz contact; `stribeck solve` finds it";
-            lines.push(text.to_owned());
-        }
+        lines.extend(friction_line(film));
         lines
     }
 
@@ -175,6 +151,32 @@ impl Expected {
         }
         lines
     }
+}
+
+/// Friction of solids and fluid; `None` without friction.
+fn friction_line(film: &ExpectedFilm) -> Option<String> {
+    let [boundary, fluid] = film.friction;
+    let (all, rise) = (boundary + fluid, film.film_rise);
+    if all.is_nan() {
+        let text = "friction   not estimated: the oil carries over more than the Hertz contact; `stribeck solve` finds it";
+        return Some(text.to_owned());
+    }
+    if all <= 0.0 {
+        return None;
+    }
+    let range = film
+        .friction_range
+        .filter(|[least, most]| most - least > SPREAD * all)
+        .map(|[least, most]| format!("{least:.4} to {most:.4} by the share of solids"));
+    let of = match (film.load_ratio_range, range, film.load_ratio) {
+        (None, ..) => format!("of the isothermal fluid alone about {fluid:.4}"),
+        (Some(_), Some(range), None) => range,
+        (Some(_), range, _) => {
+            let range = range.map_or_else(String::new, |range| format!(", {range}"));
+            format!("about {all:.4}{range}: solids {boundary:.4}, isothermal fluid {fluid:.4}")
+        }
+    };
+    Some(format!("friction   {of}; it would warm the film by {rise:.1} K"))
 }
 
 /// Shares of the load on the film and on solids.

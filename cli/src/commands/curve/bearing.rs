@@ -6,7 +6,7 @@ use std::io::Write as _;
 
 use serde_json::{Value, json};
 use stribeck::sim::scene::{BearingSpec, JournalPosition};
-use stribeck::sim::{BearingNumbers, RigidBearing, SimError};
+use stribeck::sim::{BearingNumbers, BearingSolution, RigidBearing, SimError};
 use stribeck::{InputError, Status};
 
 use super::Options;
@@ -41,20 +41,24 @@ const ROUGH_COLUMNS: [Column; 3] = [
     ("film_over_rq", |numbers| numbers.film_over_rq.unwrap_or(f64::NAN)),
 ];
 
-/// Computes the curve of `bearing`.
-pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, Box<dyn Error>> {
-    for (option, given) in [
+/// Error for options that the curve of a bearing does not have.
+fn refuse_options(options: &Options) -> Result<(), String> {
+    let given = [
         ("--seeds", options.seeds.is_some()),
         ("--resolve", options.resolve.is_some()),
         ("--plot", options.output.plot),
-    ] {
-        if given {
-            return Err(format!(
-                "{option}: a rigid bearing is one film without random surfaces, its curve is a table"
-            )
-            .into());
-        }
+    ];
+    match given.into_iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((option, _)) => Err(format!(
+            "{option}: a rigid bearing is one film without random surfaces, its curve is a table"
+        )),
     }
+}
+
+/// Computes the curve of `bearing`.
+pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, Box<dyn Error>> {
+    refuse_options(options)?;
     let in_scene = |error: &SimError| output::in_scene(&options.scene, error);
     let own = own_value(&bearing, options.over).map_err(|error| in_scene(&error.into()))?;
     let values = options.over.spread(options, false, own)?;
@@ -77,30 +81,17 @@ pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, B
     for value in values {
         set(&mut bearing, options.over, value);
         let words = options.over.words(value, false);
-        let solution = match bearing.solve(interrupt::is_requested) {
-            Ok(solution) => solution,
-            Err(SimError::Reynolds(_)) if interrupt::is_requested() => {
-                outcome = Outcome::NotConverged;
-                break;
-            }
-            // A load that the film does not carry ends no curve.
-            Err(SimError::Input(error)) if options.over != Axis::Temperature => {
-                output::complain("warning", &format!("{words} is left out of the curve: {error}"));
+        let solution = match solve(options, &bearing, &words, &mut said)? {
+            Solved::Point(solution) => solution,
+            Solved::LeftOut => {
                 outcome = Outcome::NotConverged;
                 continue;
             }
-            Err(error) => return Err(in_scene(&error).into()),
+            Solved::Interrupted => {
+                outcome = Outcome::NotConverged;
+                break;
+            }
         };
-        for warning in solution.warnings.iter().filter(|warning| !said.contains(&warning.field)) {
-            output::complain("warning", &format!("at {words}: {warning}"));
-        }
-        said.extend(solution.warnings.iter().map(|warning| warning.field.clone()));
-        if solution.film.report.status != Status::Converged {
-            let status = solution.film.report.status;
-            output::complain("warning", &format!("{words} is left out of the curve: {status}"));
-            outcome = Outcome::NotConverged;
-            continue;
-        }
         let cells = columns.iter().map(|(_, number)| number(&solution.numbers));
         let cells: Vec<String> = [value].into_iter().chain(cells).map(cell).collect();
         writeln!(file, "{}", cells.join(","))?;
@@ -123,6 +114,40 @@ pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, B
     }
     output::report_files(std::slice::from_ref(&path), options.output.json)?;
     Ok(outcome)
+}
+
+/// The end of the solve of one point.
+enum Solved {
+    Point(Box<BearingSolution>),
+    LeftOut,
+    Interrupted,
+}
+
+/// Solves the point `words`, and complains of its warnings whose fields are not among those `said` before.
+fn solve(
+    options: &Options,
+    bearing: &RigidBearing,
+    words: &str,
+    said: &mut Vec<String>,
+) -> Result<Solved, String> {
+    let reason = match bearing.solve(interrupt::is_requested) {
+        Ok(solution) => {
+            for warning in solution.warnings.iter().filter(|warning| !said.contains(&warning.field)) {
+                output::complain("warning", &format!("at {words}: {warning}"));
+            }
+            said.extend(solution.warnings.iter().map(|warning| warning.field.clone()));
+            match solution.film.report.status {
+                Status::Converged => return Ok(Solved::Point(Box::new(solution))),
+                status => status.to_string(),
+            }
+        }
+        Err(SimError::Reynolds(_)) if interrupt::is_requested() => return Ok(Solved::Interrupted),
+        // A load that the film does not carry ends no curve.
+        Err(SimError::Input(error)) if options.over != Axis::Temperature => error.to_string(),
+        Err(error) => return Err(output::in_scene(&options.scene, &error)),
+    };
+    output::complain("warning", &format!("{words} is left out of the curve: {reason}"));
+    Ok(Solved::LeftOut)
 }
 
 /// A number of the table; nothing for NaN.

@@ -58,20 +58,30 @@ pub(super) fn run(options: &Options, scene: Scene, start: Instant) -> Result<Out
     });
     bar.finish_and_clear();
     let solution = solved.map_err(|error| output::in_scene(&options.scene, &error))?;
-    let mut written = frames.write(&solution)?;
+    let written = frames.write(&solution)?;
+    output::warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
+    finish(options, &name, &solution, written, start.elapsed().as_secs_f64())
+}
+
+/// Writes the other files of a solved passage, prints its numbers and the files `written`.
+fn finish(
+    options: &Options,
+    name: &str,
+    solution: &PassageSolution,
+    mut written: Vec<PathBuf>,
+    seconds: f64,
+) -> Result<Outcome, Box<dyn Error>> {
     if let Some(path) = &options.csv {
-        files::write(path, table(&solution)?.as_bytes())?;
+        files::write(path, table(solution)?.as_bytes())?;
         written.push(path.clone());
     }
     if options.output.plot {
         written.extend(picture::write(
-            &chart(&name, &solution),
+            &chart(name, solution),
             &options.output.out,
             &format!("{name}_passage"),
         )?);
     }
-    output::warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
-    let seconds = start.elapsed().as_secs_f64();
     let numbers = json!({
         "means": solution.means,
         "time_step": solution.time_step,
@@ -84,13 +94,13 @@ pub(super) fn run(options: &Options, scene: Scene, start: Instant) -> Result<Out
         "version": env!("CARGO_PKG_VERSION"),
     });
     if let Some(path) = &options.report.report {
-        write_report(options, &solution, &numbers, path)?;
+        write_report(options, solution, &numbers, path)?;
         written.push(path.clone());
     }
     if options.output.json {
         output::print(&numbers)?;
     } else if !solution.passage().is_empty() {
-        output::print(&format!("{}\ntime       {seconds:.2} s", report(&solution)))?;
+        output::print(&format!("{}\ntime       {seconds:.2} s", report(solution)))?;
     }
     output::report_files(&written, options.output.json)?;
     if let Some(reason) = &solution.ended_early {

@@ -36,6 +36,19 @@ struct Path {
     pitch: f64,
 }
 
+/// Error for `teeth` with a profile `shift` that their cutter undercuts, at a pressure `angle` \[rad\].
+fn require_no_undercut(teeth: [u32; 2], shift: [f64; 2], angle: f64) -> Result<(), String> {
+    for (z, x) in teeth.into_iter().zip(shift) {
+        let least = 1.0 - 0.5 * f64::from(z) * angle.sin().powi(2);
+        if z < 5 || !(x >= least && x.is_finite()) {
+            return Err(format!(
+                "--teeth {z} with --shift {x}: the gear undercuts; it needs at least 5 teeth and a shift of {least:.4} or more"
+            ));
+        }
+    }
+    Ok(())
+}
+
 impl Path {
     /// That of the options.
     fn of(options: &Options) -> Result<Self, Box<dyn Error>> {
@@ -56,15 +69,7 @@ impl Path {
         )?;
         let shift =
             options.shift.as_deref().and_then(|shift| <[f64; 2]>::try_from(shift).ok()).unwrap_or([0.0; 2]);
-        for (z, x) in [z1, z2].into_iter().zip(shift) {
-            let least = 1.0 - 0.5 * f64::from(z) * angle.sin().powi(2);
-            if z < 5 || !(x >= least && x.is_finite()) {
-                return Err(format!(
-                    "--teeth {z} with --shift {x}: the gear undercuts; it needs at least 5 teeth and a shift of {least:.4} or more"
-                )
-                .into());
-            }
-        }
+        require_no_undercut([z1, z2], shift, angle)?;
         let teeth = [f64::from(z1), f64::from(z2)];
         let sum = teeth[0] + teeth[1];
         let reference = 0.5 * module * sum;

@@ -1,8 +1,9 @@
 //! The scene file of a machine.
 
 use std::error::Error;
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 
+use stribeck::InputError;
 use stribeck::analytic::{HertzLine, HertzPoint};
 use stribeck::sim::Scene;
 use stribeck::surface::Form;
@@ -55,15 +56,7 @@ pub(super) fn text(
 ) -> Result<String, Box<dyn Error>> {
     let (modulus, poisson) = STEEL;
     let equivalent = modulus / (1.0 - poisson * poisson);
-    let mut half_width = 0.0_f64;
-    for (radius, load) in machine.radii.iter().zip(&machine.loads) {
-        let half = if machine.is_line {
-            HertzLine::from_load(*radius, equivalent, *load)?.half_width
-        } else {
-            HertzPoint::from_load(*radius, *radius, equivalent, *load)?.half_width_x
-        };
-        half_width = half_width.max(half);
-    }
+    let half_width = widest(machine, equivalent)?;
     let means = (0..machine.radii.len()).map(|k| 0.5 * (machine.speeds[0][k] + machine.speeds[1][k]).abs());
     let (fastest, speed) =
         means.enumerate().fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best });
@@ -98,6 +91,28 @@ pub(super) fn text(
     )?;
     let shortest = UPSTREAM * half_width;
     let up = longest_inlet(&text, machine)?.max(shortest);
+    text.push_str(&grid(options, machine, half_width, up)?);
+    text.push_str(&cycle(machine)?);
+    Ok(text)
+}
+
+/// Half-width of the widest contact \[m\].
+fn widest(machine: &Machine, modulus: f64) -> Result<f64, InputError> {
+    let mut half_width = 0.0_f64;
+    for (radius, load) in machine.radii.iter().zip(&machine.loads) {
+        let half = if machine.is_line {
+            HertzLine::from_load(*radius, modulus, *load)?.half_width
+        } else {
+            HertzPoint::from_load(*radius, *radius, modulus, *load)?.half_width_x
+        };
+        half_width = half_width.max(half);
+    }
+    Ok(half_width)
+}
+
+/// The table `[grid]` of a box that begins at `up` \[m\] before the contact.
+fn grid(options: &Options, machine: &Machine, half_width: f64, up: f64) -> Result<String, fmt::Error> {
+    let (mut text, shortest) = (String::new(), UPSTREAM * half_width);
     let down = if machine.reverses { up } else { DOWNSTREAM * half_width };
     let edge = |length: f64| format!("{} um", plain(rounded(length) * 1e6));
     let usual = if machine.is_line { LINE_CELLS } else { POINT_CELLS };
@@ -115,6 +130,12 @@ pub(super) fn text(
         )?;
     }
     writeln!(text, "x = [\"-{}\", \"{}\"]\n", edge(up), edge(down))?;
+    Ok(text)
+}
+
+/// The table `[cycle]`.
+fn cycle(machine: &Machine) -> Result<String, fmt::Error> {
+    let mut text = String::new();
     let (key, places) = &machine.places;
     let values = [
         (*key, places),
