@@ -27,7 +27,7 @@ pub(in crate::sim) struct BearingTable {
     #[serde(flatten)]
     kind: BearingKind,
     /// Speed of the moving surface \[m/s\].
-    speed: f64,
+    speed: Option<f64>,
     /// Width \[m\]; a pad without it is wide.
     width: Option<f64>,
     /// Pressure of grooves and holes above ambient \[Pa\].
@@ -244,7 +244,7 @@ impl BearingTable {
 
     /// The bearing.
     pub(in crate::sim) fn spec(&self) -> Result<BearingSpec, String> {
-        let &Self { speed, width, .. } = self;
+        let (speed, width) = (required("speed", self.speed)?, self.width);
         Ok(match &self.kind {
             BearingKind::Journal(JournalTable { diameter, clearance, eccentricity, load, .. }) => {
                 let position = match (*eccentricity, *load) {
