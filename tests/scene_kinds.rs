@@ -205,7 +205,7 @@ fn generated_surfaces_name_what_does_not_fit() {
     for (keys, parts) in [
         ("kind = \"self_affine\"\nrq = 1e-8", ["roughness.disc.hurst", "roughness.disc.roll_off"]),
         ("kind = \"dimples\"\nradius = 1e-5\nrq = 1e-8", ["`rq`", "dimples"]),
-        ("kind = \"dimples\"\nradius = 1e-5\nseed = 1", ["`seed`", "dimples"]),
+        ("kind = \"dimples\"\nradius = 1e-5\ndepth = 1e-7\npitch = 1e-4\nseed = 1", ["`seed`", "dimples"]),
         ("kind = \"grooves\"", ["roughness.disc.pitch", "roughness.disc.direction"]),
         (
             "kind = \"grooves\"\nwidth = 1e-5\ndepth = 1e-7\npitch = 2e-3\ndirection = \"along_x\"",
