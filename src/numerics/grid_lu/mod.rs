@@ -16,6 +16,7 @@
 
 mod dense;
 mod dissection;
+mod division;
 mod front;
 mod structure;
 mod tree;

@@ -1,10 +1,12 @@
-//! The tree of fronts and its storage; disjoint subtrees are processed in parallel.
+//! The tree of fronts and its storage; disjoint subtrees are processed in parallel, then the fronts above them, level
+//! by level.
 //!
 //! Fronts are in postorder, children before their parents, so a subtree is a contiguous range of fronts and
 //! owns contiguous slices of factors and vectors. Update matrices live on two stacks, as they are consumed in
 //! the order of their creation.
 
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
@@ -13,7 +15,7 @@ use super::dense::{Block, VECTOR};
 use super::dissection::{Dissection, Supernode};
 use super::front::{Elimination, extend_add};
 use super::structure::{Front, Structure};
-use crate::numerics::parallel::join;
+use crate::numerics::parallel::{CHUNKS_PER_THREAD, for_each_task};
 
 /// Pivots of a front from which on an interruption is polled before it.
 const LARGE_FRONT: usize = 64;
@@ -29,6 +31,22 @@ struct Subtree<'a> {
     vectors: &'a mut [f32],
     /// One workspace for each task.
     scratch: &'a mut [Vec<f32>],
+}
+
+/// A subtree with its root front and its parts of the two stacks.
+struct Part<'a> {
+    root: usize,
+    subtree: Subtree<'a>,
+    stacks: [&'a mut [f32]; 2],
+}
+
+/// Parts of the tree that do not depend on each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Level {
+    /// The subtrees of one task each.
+    Subtrees,
+    /// The fronts above them at this distance from the root.
+    Fronts(u32),
 }
 
 /// The tree of fronts with its storage.
@@ -82,8 +100,8 @@ impl Tree {
         self.compute_stack_sizes();
     }
 
-    /// The read-only part of a traversal, the storage of the whole tree, and the two stacks.
-    fn parts(&mut self) -> (Traversal<'_>, Subtree<'_>, [&mut [f32]; 2]) {
+    /// The read-only part of a traversal, and the whole tree.
+    fn parts(&mut self) -> (Traversal<'_>, Part<'_>) {
         let Self {
             dissection,
             structure,
@@ -97,16 +115,38 @@ impl Tree {
         let subtree = Subtree { first: 0, factors, vectors, scratch };
         (
             Traversal { supernodes: &dissection.supernodes, structure, stack_sizes, arch: Arch::new() },
-            subtree,
-            [own, other],
+            Part { root: structure.fronts.len() - 1, subtree, stacks: [own, other] },
         )
+    }
+
+    /// The levels from the leaves to the root.
+    fn levels(&self) -> impl DoubleEndedIterator<Item = Level> + use<> {
+        let fronts = self.scratch.len().next_power_of_two().ilog2();
+        std::iter::once(Level::Subtrees).chain((0..fronts).rev().map(Level::Fronts))
     }
 
     /// Factorizes a matrix; returns whether all pivots are finite and `must_stop` was false throughout.
     pub(super) fn eliminate(&mut self, matrix: Matrix<'_>, must_stop: &(dyn Fn() -> bool + Sync)) -> bool {
-        let root = self.structure.fronts.len() - 1;
-        let (traversal, subtree, stacks) = self.parts();
-        traversal.eliminate(root, subtree, stacks, matrix, must_stop)
+        let (levels, is_finite) = (self.levels(), AtomicBool::new(true));
+        for level in levels {
+            let (traversal, tree) = self.parts();
+            traversal.for_each_part(tree, level, |part, is_alone| {
+                let is_done = match level {
+                    Level::Subtrees => traversal.eliminate_subtree(part, matrix, must_stop),
+                    Level::Fronts(_) => {
+                        !traversal.is_interrupted(part.root, must_stop)
+                            && traversal.eliminate_front(part, is_alone, matrix)
+                    }
+                };
+                if !is_done {
+                    is_finite.store(false, Ordering::Relaxed);
+                }
+            });
+            if !is_finite.load(Ordering::Relaxed) {
+                return false;
+            }
+        }
+        true
     }
 
     /// Overwrites the right-hand side at the coupled nodes with the solution.
@@ -117,11 +157,17 @@ impl Tree {
                 *right = rhs[node as usize];
             }
         }
-        let root = self.structure.fronts.len() - 1;
-        // substitution on all fronts
-        let (traversal, mut subtree, _) = self.parts();
-        traversal.forward(root, subtree.all());
-        traversal.backward(root, subtree);
+        // substitution on all fronts, from the leaves to the root and back
+        for (level, forward) in
+            self.levels().map(|level| (level, true)).chain(self.levels().rev().map(|level| (level, false)))
+        {
+            let (traversal, tree) = self.parts();
+            traversal.for_each_part(tree, level, |part, _| {
+                let first =
+                    if level == Level::Subtrees { traversal.supernodes[part.root].first } else { part.root };
+                traversal.run(first..part.root + 1, part.subtree, forward);
+            });
+        }
         for front in &self.structure.fronts {
             let nodes = &self.structure.nodes[front.pivots.clone()];
             for (solution, &node) in self.vectors[front.vectors_at..].iter().zip(nodes) {
@@ -241,48 +287,91 @@ impl Traversal<'_> {
         self.supernodes[root].children.filter(|_| subtree.scratch.len() > 1)
     }
 
-    /// Factorizes the subtree with the root front `root` and leaves its update matrix on the first stack.
-    /// Returns whether all pivots are finite and `must_stop` was false throughout.
-    fn eliminate(
+    /// Applies `work` to the parts of `tree` on a level, in parallel. Where they are fewer than the threads, one after
+    /// the other, and `work` is told that each is alone and may use all threads.
+    fn for_each_part(&self, tree: Part<'_>, level: Level, work: impl Fn(Part<'_>, bool) + Sync) {
+        let tasks = tree.subtree.scratch.len();
+        if tasks == 1 {
+            return work(tree, true);
+        }
+        let mut parts = Vec::new();
+        self.divide(tree, level, &mut parts);
+        if CHUNKS_PER_THREAD * parts.len() <= tasks {
+            parts.into_iter().for_each(|part| work(part, true));
+        } else {
+            for_each_task(parts, |part| work(part, false));
+        }
+    }
+
+    /// Collects the parts of `tree` on a level.
+    fn divide<'b>(&self, tree: Part<'b>, level: Level, parts: &mut Vec<Part<'b>>) {
+        let Some([one, two]) = self.parallel_children(tree.root, &tree.subtree) else {
+            if level == Level::Subtrees {
+                parts.push(tree);
+            }
+            return;
+        };
+        let below = match level {
+            Level::Fronts(0) => return parts.push(tree),
+            Level::Fronts(above) => Level::Fronts(above - 1),
+            Level::Subtrees => level,
+        };
+        // siblings have disjoint parts of both stacks
+        let Part { subtree, stacks: [own, other], .. } = tree;
+        let (left, right) = self.split(subtree, one + 1);
+        let (one_own, two_own) = other.split_at_mut(self.stack_sizes[one][0]);
+        let (one_other, two_other) = own.split_at_mut(self.stack_sizes[one][1]);
+        self.divide(Part { root: one, subtree: left, stacks: [one_own, one_other] }, below, parts);
+        self.divide(Part { root: two, subtree: right, stacks: [two_own, two_other] }, below, parts);
+    }
+
+    /// Whether `must_stop` is true before a large front.
+    fn is_interrupted(&self, front: usize, must_stop: &dyn Fn() -> bool) -> bool {
+        self.structure.fronts[front].pivots.len() >= LARGE_FRONT && must_stop()
+    }
+
+    /// Factorizes a subtree, front after front, and leaves its update matrix on the first stack. Returns whether all
+    /// pivots are finite and `must_stop` was false throughout.
+    fn eliminate_subtree(
         &self,
-        root: usize,
-        mut subtree: Subtree<'_>,
-        [own, other]: [&mut [f32]; 2],
+        part: Part<'_>,
         matrix: Matrix<'_>,
         must_stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
-        let structure = self.structure;
-        if structure.fronts[root].pivots.len() >= LARGE_FRONT && must_stop() {
+        let Part { root, mut subtree, stacks: [own, other] } = part;
+        if self.is_interrupted(root, must_stop) {
             return false;
         }
-        // the two subtrees, in parallel or one after the other
-        let (mut is_finite, mut second) = (true, 0);
-        if let Some([one, two]) = self.parallel_children(root, &subtree) {
-            second = self.stack_sizes[one][0];
-            let (left, right) = self.split(subtree.all(), one + 1);
-            let (one_own, two_own) = other.split_at_mut(second);
-            let (one_other, two_other) = own.split_at_mut(self.stack_sizes[one][1]);
-            let are_finite = join(
-                || self.eliminate(one, left, [one_own, one_other], matrix, must_stop),
-                || self.eliminate(two, right, [two_own, two_other], matrix, must_stop),
-            );
-            is_finite = are_finite.0 && are_finite.1;
-        } else if let Some([one, two]) = self.supernodes[root].children {
-            second = structure.fronts[one].update_length();
-            is_finite = self.eliminate(one, subtree.all(), [&mut *other, &mut *own], matrix, must_stop)
-                && self.eliminate(two, subtree.all(), [&mut other[second..], &mut *own], matrix, must_stop);
+        if let Some([one, two]) = self.supernodes[root].children {
+            let second = self.structure.fronts[one].update_length();
+            for (child, start) in [(one, 0), (two, second)] {
+                let stacks = [&mut other[start..], &mut *own];
+                let part = Part { root: child, subtree: subtree.all(), stacks };
+                if !self.eliminate_subtree(part, matrix, must_stop) {
+                    return false;
+                }
+            }
         }
-        if !is_finite {
-            return false;
-        }
-        // assemble the children's update matrices and eliminate the pivots
+        self.eliminate_front(Part { root, subtree, stacks: [own, other] }, false, matrix)
+    }
+
+    /// Eliminates the root front of a part, whose children have left their update matrices on the second stack.
+    /// A front that `is_alone` uses all threads. Returns whether all pivots are finite.
+    fn eliminate_front(&self, part: Part<'_>, is_alone: bool, matrix: Matrix<'_>) -> bool {
+        let Part { root, subtree, stacks: [own, other] } = part;
+        let (structure, is_divided) = (self.structure, subtree.scratch.len() > 1);
         let front = &structure.fronts[root];
         let Subtree { first, factors, scratch, .. } = subtree;
-        let Some(scratch) = scratch.first_mut().filter(|_| !front.is_empty()) else { return true };
+        let Some((scratch, others)) = scratch.split_first_mut().filter(|_| !front.is_empty()) else {
+            return true;
+        };
+        let packs = if is_alone { others } else { &mut [] };
         let values = &mut factors[front.factors_at - structure.fronts[first].factors_at..][..front.factors()];
         let mut children = [None; 2];
-        if let Some(pair) = self.supernodes[root].children {
-            for ((child, update), start) in pair.into_iter().zip(&mut children).zip([0, second]) {
+        if let Some([one, two]) = self.supernodes[root].children {
+            let second =
+                if is_divided { self.stack_sizes[one][0] } else { structure.fronts[one].update_length() };
+            for ((child, update), start) in [one, two].into_iter().zip(&mut children).zip([0, second]) {
                 let child = &structure.fronts[child];
                 let values = &other[start..][..child.update_length()];
                 let block = Block { values, stride: child.border_rows() };
@@ -290,30 +379,8 @@ impl Traversal<'_> {
             }
         }
         let update_matrix = &mut own[..front.update_length()];
-        let work = Elimination { front, structure, matrix, values, children, update_matrix, scratch };
+        let work = Elimination { front, structure, matrix, values, children, update_matrix, scratch, packs };
         self.arch.dispatch(work)
-    }
-
-    /// Forward substitution, from the leaves to the root.
-    fn forward(&self, root: usize, mut subtree: Subtree<'_>) {
-        let Some([one, other]) = self.parallel_children(root, &subtree) else {
-            self.run(self.supernodes[root].first..root + 1, subtree, true);
-            return;
-        };
-        let (left, right) = self.split(subtree.all(), one + 1);
-        join(|| self.forward(one, left), || self.forward(other, right));
-        self.run(root..root + 1, subtree, true);
-    }
-
-    /// Backward substitution, from the root to the leaves.
-    fn backward(&self, root: usize, mut subtree: Subtree<'_>) {
-        let Some([one, other]) = self.parallel_children(root, &subtree) else {
-            self.run(self.supernodes[root].first..root + 1, subtree, false);
-            return;
-        };
-        self.run(root..root + 1, subtree.all(), false);
-        let (left, right) = self.split(subtree, one + 1);
-        join(|| self.backward(one, left), || self.backward(other, right));
     }
 
     /// Substitutes on consecutive fronts with the SIMD instructions of the machine.
