@@ -118,6 +118,14 @@ pub(crate) fn map_lines<T: Send>(field: &mut [T], length: usize, work: impl Fn(u
     });
 }
 
+/// Applies `work` to each of `items`.
+pub(crate) fn for_each_with<T: Send>(items: &mut [T], work: impl Fn(&mut T) + Sync) {
+    if let [item] = items {
+        return work(item);
+    }
+    for_each_task(items.iter_mut().collect(), work);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -13,14 +13,14 @@ pub(super) const CHUNKS_PER_THREAD: usize = 4;
 
 /// Number of chunks, each with its own workspace, for fields of `nodes` values.
 #[cfg(feature = "parallel")]
-pub(super) fn chunk_count(nodes: usize) -> usize {
+pub(crate) fn chunk_count(nodes: usize) -> usize {
     let threads = if nodes < PARALLEL_THRESHOLD { 1 } else { super::threads::count() };
     if threads < 2 { 1 } else { CHUNKS_PER_THREAD * threads }
 }
 
 /// One chunk without threads.
 #[cfg(not(feature = "parallel"))]
-pub(super) fn chunk_count(_nodes: usize) -> usize {
+pub(crate) fn chunk_count(_nodes: usize) -> usize {
     1
 }
 
@@ -50,13 +50,13 @@ pub(super) fn for_each_chunk<T: Send, L: Send>(
 
 /// Runs `work` on all `tasks` in any order, on several threads.
 #[cfg(feature = "parallel")]
-pub(crate) fn for_each_task<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync) {
+pub(super) fn for_each_task<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync) {
     super::threads::for_each_task(tasks, work);
 }
 
 /// Runs `work` on all `tasks`.
 #[cfg(not(feature = "parallel"))]
-pub(crate) fn for_each_task<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync) {
+pub(super) fn for_each_task<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync) {
     tasks.into_iter().for_each(work);
 }
 

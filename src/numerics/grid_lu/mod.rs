@@ -28,6 +28,7 @@ use front::STATIC_PIVOT;
 use structure::DECOUPLED;
 use tree::Tree;
 
+use super::lines::map_nodes;
 use super::parallel::chunk_count;
 
 /// Number of entries in a row of the five-point stencil: center, east, west, north, south.
@@ -39,6 +40,8 @@ pub(crate) struct GridLu {
     tree: Tree,
     /// Reciprocal of the largest entry of each row, divided by the pivot for decoupled nodes.
     scale: Vec<f32>,
+    /// Couplings of each node to its neighbors, by an entry in either row: one bit for each slot.
+    couplings: Vec<u8>,
     /// Whether the last factorization succeeded.
     factorised: bool,
 }
@@ -68,7 +71,12 @@ impl GridLu {
     /// Elimination order and buffers for a grid.
     pub(crate) fn new(nx: usize, ny: usize) -> Self {
         let n = nx * ny;
-        Self { tree: Tree::new(nx, ny, chunk_count(n)), scale: vec![1.0; n], factorised: false }
+        Self {
+            tree: Tree::new(nx, ny, chunk_count(n)),
+            scale: vec![1.0; n],
+            couplings: vec![0; n],
+            factorised: false,
+        }
     }
 
     /// Factorizes the matrix with row `k` in `stencil[5 k..5 k + 5]`, in the order center, east, west, north,
@@ -84,18 +92,23 @@ impl GridLu {
         stencil: &[f32],
         must_stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
-        for (row, scale) in stencil.chunks_exact(STENCIL).zip(&mut self.scale) {
+        map_nodes(&mut self.scale, |node, scale| {
+            let row = &stencil[STENCIL * node..][..STENCIL];
             let largest = row.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
             *scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-        }
+        });
         let offsets = self.tree.structure.offsets;
         let has_entry = |node: usize, slot: usize| {
             let row = node.checked_mul(STENCIL).and_then(|start| stencil.get(start..start + STENCIL));
             row.is_some_and(|row| row[slot + 1] != 0.0)
         };
-        self.tree.update(|node, slot| {
-            has_entry(node, slot) || has_entry(node.wrapping_add_signed(offsets[slot + 1]), slot ^ 1)
+        map_nodes(&mut self.couplings, |node, couplings| {
+            let is_coupled = |slot: usize| {
+                has_entry(node, slot) || has_entry(node.wrapping_add_signed(offsets[slot + 1]), slot ^ 1)
+            };
+            *couplings = (0..4).map(|slot| u8::from(is_coupled(slot)) << slot).sum();
         });
+        self.tree.update(|node, slot| self.couplings[node] >> slot & 1 == 1);
         let matrix = Matrix { stencil, scale: &self.scale };
         let is_finite = self.tree.eliminate(matrix, must_stop) && self.eliminate_decoupled(stencil);
         self.factorised = is_finite;

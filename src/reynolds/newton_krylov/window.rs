@@ -28,6 +28,8 @@ pub(super) struct Window {
     stencil: Vec<f32>,
     nodes: Vec<NodeSolution>,
     best: Vec<NodeSolution>,
+    /// Whether the best solution is better than the nodes as they came.
+    is_better: bool,
     /// Prediction of the whole step: total pressures \[Pa\] and films without plastic depth \[m\].
     predicted: Vec<[f64; 2]>,
     previous_mass: Vec<f64>,
@@ -64,6 +66,7 @@ impl Window {
             stencil: vec![0.0; STENCIL * n],
             nodes: vec![node; n],
             best: vec![node; n],
+            is_better: false,
             predicted: vec![[0.0; 2]; n],
             previous_mass: vec![0.0; n],
             pressure: vec![0.0; n],
@@ -90,20 +93,42 @@ impl Window {
         inside(q % self.grid.nx(), self.grid.nx()) && inside(q / self.grid.nx(), self.grid.ny())
     }
 
-    /// Places the window around node `k` of the whole grid and copies its nodes.
+    /// Places the window around node `k` of the whole grid, inside of it.
+    pub(super) fn place(&mut self, k: usize, whole: &Grid) {
+        let place = |i: usize, n: usize, all: usize| i.saturating_sub(n / 2).min(all - n);
+        self.first = place(k % whole.nx(), self.grid.nx(), whole.nx())
+            + place(k / whole.nx(), self.grid.ny(), whole.ny()) * whole.nx();
+    }
+
+    /// Columns and rows of the whole grid between the first node of the window and node `k`.
+    fn offset(&self, k: usize) -> [isize; 2] {
+        let between = |a: usize, b: usize| a.cast_signed() - b.cast_signed();
+        [
+            between(k % self.stride, self.first % self.stride),
+            between(k / self.stride, self.first / self.stride),
+        ]
+    }
+
+    /// Whether node `k` of the whole grid is one whose balance depends on nodes of the window alone.
+    pub(super) fn solves_for(&self, k: usize) -> bool {
+        let [i, j] = self.offset(k).map(|offset| usize::try_from(offset).unwrap_or(usize::MAX));
+        i < self.grid.nx() && j < self.grid.ny() && self.is_core(i + j * self.grid.nx())
+    }
+
+    /// Whether two windows have common nodes.
+    pub(super) fn overlaps(&self, other: &Self) -> bool {
+        let [columns, rows] = self.offset(other.first).map(isize::unsigned_abs);
+        columns < self.grid.nx() && rows < self.grid.ny()
+    }
+
+    /// Copies the nodes of the window.
     pub(super) fn enter(
         &mut self,
-        k: usize,
         coupled: &Coupled,
         problem: &LubricatedContact<'_>,
         state: &ContactState,
         prediction: &Prediction<'_>,
     ) {
-        let whole = &coupled.fluid.grid;
-        let place = |i: usize, n: usize, all: usize| i.saturating_sub(n / 2).min(all - n);
-        // Keep it inside the grid.
-        self.first = place(k % whole.nx(), self.grid.nx(), whole.nx())
-            + place(k / whole.nx(), self.grid.ny(), whole.ny()) * whole.nx();
         // Coefficients of the flow, states of the nodes, prediction.
         self.fluid.set_window(&coupled.fluid, self.first);
         for q in 0..self.grid.len() {
@@ -127,30 +152,24 @@ impl Window {
 
     /// Copies the best solution to the whole grid if it is better than the state there; its nodes count as solved
     /// either way.
-    pub(super) fn leave(
-        &self,
-        is_better: bool,
-        coupled: &mut Coupled,
-        state: &mut ContactState,
-        solved: &mut [bool],
-    ) {
+    pub(super) fn leave(&self, coupled: &mut Coupled, state: &mut ContactState, solved: &mut [bool]) {
         for q in (0..self.grid.len()).filter(|&q| self.is_core(q)) {
             let k = self.whole_index(q);
             solved[k] = true;
-            if is_better && self.chosen[q] {
+            if self.is_better && self.chosen[q] {
                 self.best[q].write(k, coupled, state);
             }
         }
     }
 
-    /// Newton steps for the weakly coupled nodes; says whether one of them lowers the sum of their imbalances.
+    /// Newton steps for the weakly coupled nodes; keeps the best solution if it lowers the sum of their imbalances.
     pub(super) fn solve(
         &mut self,
         problem: &LubricatedContact<'_>,
         lubricant: &Lubricant,
         step_bound: f64,
         near: NearField,
-    ) -> bool {
+    ) {
         self.flow(problem, lubricant, near.own);
         // Choose the nodes.
         for q in 0..self.grid.len() {
@@ -174,7 +193,7 @@ impl Window {
                 break;
             }
         }
-        least < before
+        self.is_better = least < before;
     }
 
     /// Flow through the films that respond to own pressures.
