@@ -76,3 +76,33 @@ fn divide(
     let arch = Arch::new();
     for_each_task(parts.collect(), |part| arch.dispatch(part));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn divided_products_are_bit_identical() {
+        let (rows, inner, columns, stride) = (72, 70, 101, 80);
+        let values = |length: usize| (0..length).map(|k| (k as f32).sin()).collect::<Vec<_>>();
+        let (a, b) = (values(stride * inner), values(inner * columns));
+        let product = |packs: usize| {
+            let (mut out, mut pack) = (values(stride * columns), vec![0.0; 4096]);
+            let mut packs = vec![pack.clone(); packs];
+            let factors = [Block { values: &a, stride }, Block { values: &b, stride: inner }];
+            let sizes = [rows, inner, columns];
+            add_divided_product(Scalar, [&mut out, &mut pack], &mut packs, stride, factors, sizes);
+            out.into_iter().map(f32::to_bits).collect::<Vec<_>>()
+        };
+        let mut whole = values(stride * columns);
+        let factors = [Block { values: &a, stride }, Block { values: &b, stride: inner }];
+        let arch = Arch::new();
+        let mut pack = vec![0.0; 4096];
+        let sizes = [rows, inner, columns];
+        arch.dispatch(Part { out: &mut whole, pack: &mut pack, stride, factors, sizes });
+        let whole: Vec<u32> = whole.into_iter().map(f32::to_bits).collect();
+        for packs in [1, 2, 7] {
+            assert_eq!(product(packs), whole, "{packs}");
+        }
+    }
+}

@@ -6,7 +6,7 @@
 //!
 //! `dissection` divides the grid into two subdomains and a separator between them, recursively. The
 //! subdomains are independent until their separator is eliminated, so subtrees are factorized in parallel
-//! (`tree`). `structure` computes the fronts for the sparsity pattern of each matrix. The elimination of a
+//! (`tree`, `traversal`); the columns of the products of the last fronts are divided between threads (`division`). `structure` computes the fronts for the sparsity pattern of each matrix. The elimination of a
 //! front is work on small dense blocks (`front`, `dense`): a front with the pivot block `P`, the block `B`
 //! below and `C` beside it passes the update matrix (Schur complement) `-B P^-1 C` to its parent. With `n`
 //! coupled nodes a factorization costs `O(n^1.5)` operations and `O(n log n)` memory, a solve `O(n log n)`.
@@ -19,6 +19,7 @@ mod dissection;
 mod division;
 mod front;
 mod structure;
+mod traversal;
 mod tree;
 
 use std::fmt;
@@ -200,6 +201,22 @@ mod tests {
                 assert!(worst < 1e-4 * 2e8, "{nx} x {ny}: off by {worst}");
             }
         }
+    }
+
+    #[test]
+    fn solutions_are_bit_identical_for_any_number_of_tasks() {
+        let (nx, ny) = (200, 170);
+        let stencil = matrix(nx, ny);
+        let right: Vec<f32> = (0..nx * ny).map(|k| stencil[STENCIL * k] * (2.0 + (k as f32).cos())).collect();
+        let solutions = [1, 2, 5, 8].map(|tasks| {
+            let mut lu = GridLu::new(nx, ny);
+            lu.tree = Tree::new(nx, ny, tasks);
+            let mut x = right.clone();
+            assert!(lu.factorise(&stencil));
+            lu.solve(&mut x);
+            x.into_iter().map(f32::to_bits).collect::<Vec<_>>()
+        });
+        assert!(solutions.windows(2).all(|pair| pair[0] == pair[1]));
     }
 
     #[test]

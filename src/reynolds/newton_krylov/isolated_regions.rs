@@ -76,12 +76,13 @@ impl IsolatedRegions {
             let mut count = 0;
             while let Some(&k) = nodes.peek() {
                 let (placed, free) = windows.split_at_mut(count);
-                if !solved[k] && placed.iter().all(|window| !window.solves_for(k)) {
+                if !solved[k] && placed.iter().all(|window| !window.place.solves_for(k)) {
                     let Some(window) = free.first_mut() else { break };
-                    window.place(k, &coupled.fluid.grid);
-                    if placed.iter().any(|other| other.overlaps(window)) {
+                    let place = window.place.around(k);
+                    if placed.iter().any(|other| place.overlaps(other.place)) {
                         break;
                     }
+                    window.place = place;
                     count += 1;
                 }
                 nodes.next();

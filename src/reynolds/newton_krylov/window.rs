@@ -5,12 +5,13 @@ use super::node::{Material, NodeBalance, NodePrediction, NodeSolution};
 use super::prediction::Prediction;
 use super::settings::{REGION_SHARE, REGION_STEPS};
 use super::weak_coupling::is_weakly_coupled;
+use super::window_place::WindowPlace;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::numerics::{GridLu, STENCIL};
 use crate::reynolds::active_set::{Fluid, NodeState, Solid};
 use crate::reynolds::coupled::Coupled;
-use crate::reynolds::flow::{Discretisation, MARGIN, NearField};
+use crate::reynolds::flow::{Discretisation, NearField};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
@@ -19,9 +20,7 @@ use crate::reynolds::state::ContactState;
 #[derive(Debug)]
 pub(super) struct Window {
     grid: Grid,
-    /// Node of the whole grid that is node 0 of the window, and nodes in a row of the whole grid.
-    first: usize,
-    stride: usize,
+    pub(super) place: WindowPlace,
     fluid: Discretisation,
     linearization: Linearization,
     lu: GridLu,
@@ -58,8 +57,7 @@ impl Window {
         let node = NodeSolution { side, pressure: 0.0, fluid_pressure: 0.0, depth: 0.0 };
         Self {
             grid,
-            first: 0,
-            stride: whole.nx(),
+            place: WindowPlace::new(whole, &grid),
             fluid: Discretisation::new(grid),
             linearization: Linearization::new(grid),
             lu: GridLu::new(grid.nx(), grid.ny()),
@@ -82,45 +80,6 @@ impl Window {
         }
     }
 
-    /// Node of the whole grid that node `q` of the window is.
-    fn whole_index(&self, q: usize) -> usize {
-        self.first + q % self.grid.nx() + q / self.grid.nx() * self.stride
-    }
-
-    /// Whether the balance of node `q` depends on nodes of the window alone.
-    fn is_core(&self, q: usize) -> bool {
-        let inside = |i: usize, n: usize| n == 1 || (i >= MARGIN && i + MARGIN < n);
-        inside(q % self.grid.nx(), self.grid.nx()) && inside(q / self.grid.nx(), self.grid.ny())
-    }
-
-    /// Places the window around node `k` of the whole grid, inside of it.
-    pub(super) fn place(&mut self, k: usize, whole: &Grid) {
-        let place = |i: usize, n: usize, all: usize| i.saturating_sub(n / 2).min(all - n);
-        self.first = place(k % whole.nx(), self.grid.nx(), whole.nx())
-            + place(k / whole.nx(), self.grid.ny(), whole.ny()) * whole.nx();
-    }
-
-    /// Columns and rows of the whole grid between the first node of the window and node `k`.
-    fn offset(&self, k: usize) -> [isize; 2] {
-        let between = |a: usize, b: usize| a.cast_signed() - b.cast_signed();
-        [
-            between(k % self.stride, self.first % self.stride),
-            between(k / self.stride, self.first / self.stride),
-        ]
-    }
-
-    /// Whether node `k` of the whole grid is one whose balance depends on nodes of the window alone.
-    pub(super) fn solves_for(&self, k: usize) -> bool {
-        let [i, j] = self.offset(k).map(|offset| usize::try_from(offset).unwrap_or(usize::MAX));
-        i < self.grid.nx() && j < self.grid.ny() && self.is_core(i + j * self.grid.nx())
-    }
-
-    /// Whether two windows have common nodes.
-    pub(super) fn overlaps(&self, other: &Self) -> bool {
-        let [columns, rows] = self.offset(other.first).map(isize::unsigned_abs);
-        columns < self.grid.nx() && rows < self.grid.ny()
-    }
-
     /// Copies the nodes of the window.
     pub(super) fn enter(
         &mut self,
@@ -130,9 +89,9 @@ impl Window {
         prediction: &Prediction<'_>,
     ) {
         // Coefficients of the flow, states of the nodes, prediction.
-        self.fluid.set_window(&coupled.fluid, self.first);
+        self.fluid.set_window(&coupled.fluid, self.place.first());
         for q in 0..self.grid.len() {
-            let k = self.whole_index(q);
+            let k = self.place.node(q);
             self.nodes[q] = NodeSolution {
                 side: coupled.active_set[k],
                 pressure: state.pressure[k],
@@ -153,8 +112,8 @@ impl Window {
     /// Copies the best solution to the whole grid if it is better than the state there; its nodes count as solved
     /// either way.
     pub(super) fn leave(&self, coupled: &mut Coupled, state: &mut ContactState, solved: &mut [bool]) {
-        for q in (0..self.grid.len()).filter(|&q| self.is_core(q)) {
-            let k = self.whole_index(q);
+        for q in (0..self.grid.len()).filter(|&q| self.place.is_core(q)) {
+            let k = self.place.node(q);
             solved[k] = true;
             if self.is_better && self.chosen[q] {
                 self.best[q].write(k, coupled, state);
@@ -174,7 +133,7 @@ impl Window {
         // Choose the nodes.
         for q in 0..self.grid.len() {
             let side = self.nodes[q].side;
-            self.chosen[q] = self.is_core(q) && is_weakly_coupled(&self.fluid, side, q, near);
+            self.chosen[q] = self.place.is_core(q) && is_weakly_coupled(&self.fluid, side, q, near);
         }
         let before = self.residual_norm(problem);
         let mut least = before;
@@ -244,7 +203,7 @@ impl Window {
             let own_change = if side.solid == Solid::Open { [change, film_change] } else { [0.0; 2] };
             let material = Material {
                 contact_film: problem.contact_film(),
-                limit: problem.limit_at(self.whole_index(q)),
+                limit: problem.limit_at(self.place.node(q)),
                 own_influence: own,
                 step_bound,
             };
