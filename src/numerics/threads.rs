@@ -31,7 +31,14 @@ struct Pool {
     /// Value of [`WANTED`] when it was made.
     wanted: usize,
     /// The threads beside the calling one; `None` where that works alone.
-    others: Option<Arc<ThreadPool>>,
+    others: Option<Arc<Helpers>>,
+}
+
+/// Threads that help callers outside of a pool.
+struct Helpers {
+    threads: ThreadPool,
+    /// Threads that callers have asked for and that have not ended.
+    busy: AtomicUsize,
 }
 
 impl Pool {
@@ -46,7 +53,10 @@ impl Pool {
             .map_or(processors, |number| number.min(MOST_PER_PROCESSOR * processors));
         let others = match number - 1 {
             0 => None,
-            others => Some(Arc::new(ThreadPoolBuilder::new().num_threads(others).build().ok()?)),
+            others => {
+                let threads = ThreadPoolBuilder::new().num_threads(others).build().ok()?;
+                Some(Arc::new(Helpers { threads, busy: AtomicUsize::new(0) }))
+            }
         };
         Some(Self { process, wanted, others })
     }
@@ -73,7 +83,7 @@ pub fn set_num_threads(threads: usize) {
 
 /// The pool of this process. `None` for one thread, and where the pool cannot be had without waiting: another thread
 /// is making it, or was when the process was forked. The work is then done on the calling thread.
-fn pool() -> Option<Arc<ThreadPool>> {
+fn pool() -> Option<Arc<Helpers>> {
     let (process, wanted) = (std::process::id(), WANTED.load(Ordering::Relaxed));
     if let Some(pool) = POOL.try_read().ok()?.as_ref().filter(|pool| pool.is_of(process, wanted)) {
         return pool.others.clone();
@@ -93,7 +103,7 @@ pub(super) fn count() -> usize {
     if rayon::current_thread_index().is_some() {
         return rayon::current_num_threads();
     }
-    pool().map_or(1, |pool| pool.current_num_threads() + 1)
+    pool().map_or(1, |pool| pool.threads.current_num_threads() + 1)
 }
 
 /// Runs `work` on all `tasks` in any order, on the calling thread and on others that are free.
@@ -129,15 +139,24 @@ fn share<A>(others: usize, own: impl FnOnce() -> A, help: &(dyn Fn() + Sync)) ->
     if others == 0 {
         return own();
     }
-    let running = AtomicUsize::new(others);
     if rayon::current_thread_index().is_some() {
+        let running = AtomicUsize::new(others);
         return rayon::in_place_scope(|scope| {
             ask_for_help(scope, others, help, &running);
             own()
         });
     }
+    // Threads that help another caller would come late.
     let Some(pool) = pool() else { return own() };
-    pool.in_place_scope(|scope| {
+    let free = pool.threads.current_num_threads().saturating_sub(pool.busy.load(Ordering::Relaxed));
+    let others = others.min(free);
+    if others == 0 {
+        return own();
+    }
+    pool.busy.fetch_add(others, Ordering::Relaxed);
+    let _end = CountDown { count: &pool.busy, by: others };
+    let running = AtomicUsize::new(others);
+    pool.threads.in_place_scope(|scope| {
         ask_for_help(scope, others, help, &running);
         let result = own();
         // The last tasks end within microseconds; a sleeping thread takes longer to wake.
@@ -157,18 +176,21 @@ fn ask_for_help<'scope>(
 ) {
     for _ in 0..others {
         scope.spawn(move |_| {
-            let _end = CountDown(running);
+            let _end = CountDown { count: running, by: 1 };
             help();
         });
     }
 }
 
 /// Counts down when it is dropped, also by a panic.
-struct CountDown<'a>(&'a AtomicUsize);
+struct CountDown<'a> {
+    count: &'a AtomicUsize,
+    by: usize,
+}
 
 impl Drop for CountDown<'_> {
     fn drop(&mut self) {
-        self.0.fetch_sub(1, Ordering::Release);
+        self.count.fetch_sub(self.by, Ordering::Release);
     }
 }
 
@@ -182,12 +204,12 @@ mod tests {
         let processors = std::thread::available_parallelism().map_or(1, usize::from);
         for (wanted, expected) in [(3, 3), (1000, 1000.min(MOST_PER_PROCESSOR * processors))] {
             let others = Pool::new(0, wanted).and_then(|pool| pool.others);
-            assert_eq!(others.map_or(0, |pool| pool.current_num_threads()) + 1, expected);
+            assert_eq!(others.map_or(0, |pool| pool.threads.current_num_threads()) + 1, expected);
         }
     }
 
     #[test]
-    fn each_task_runs_once_and_the_calling_thread_takes_part() {
+    fn each_task_runs_once_within_and_outside_of_a_pool() {
         let pool = ThreadPoolBuilder::new().num_threads(3).build().unwrap();
         let run = || {
             let mut visits = vec![0; 100];
