@@ -113,7 +113,7 @@ pub(super) fn for_each_task<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync) {
     // The queue is locked while a task is taken, not while it runs.
     let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
     let run = || std::iter::from_fn(next).for_each(&work);
-    share(others, &run, &run);
+    share(others, run, &run);
 }
 
 /// Result of `own` on the calling thread; `other` runs on another thread that is free, or after it.
