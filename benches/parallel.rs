@@ -18,6 +18,9 @@ use stribeck::{Grid, set_num_threads};
 /// Seconds of one run, by the clock.
 type Run = Box<dyn FnMut() -> f64>;
 
+/// A run on a grid of so many nodes along each axis.
+type Work = fn(usize) -> Run;
+
 /// Ten displacements of a half-space on `n` x `n` nodes under a Hertzian pressure.
 fn displacement(n: usize) -> Run {
     let hertz = HertzPoint::from_max_pressure(9.525e-3, 9.525e-3, 229.67e9, 1.15e9).unwrap();
@@ -68,7 +71,7 @@ fn main() {
     let mut wanted: Vec<String> = std::env::args().skip(1).filter(|name| !name.starts_with("--")).collect();
     let runs = wanted.last().and_then(|last| last.parse().ok());
     wanted.truncate(wanted.len() - usize::from(runs.is_some()));
-    let works: [(&str, fn(usize) -> Run, usize); 6] = [
+    let works: [(&str, Work, usize); 6] = [
         ("10 displacements", displacement, 256),
         ("10 displacements", displacement, 512),
         ("10 displacements", displacement, 1024),
