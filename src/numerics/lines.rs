@@ -2,7 +2,10 @@
 
 use std::ops::Range;
 
-use super::parallel::{chunk_count, join};
+use super::parallel::{chunk_count, for_each_task};
+
+/// Ranges of lines per chunk: lines of full films take longer than others, so that equal ranges end at other times.
+const RANGES_PER_CHUNK: usize = 4;
 
 /// Fields whose lines are divided between two threads.
 pub(crate) trait Lines: Send + Sized {
@@ -80,7 +83,29 @@ pub(crate) fn for_each_range<L: Lines>(
     nodes: usize,
     work: impl Fn(Range<usize>, L) + Sync,
 ) {
-    divide(fields, 0..count, chunk_count(nodes), &work);
+    let chunks = chunk_count(nodes);
+    if chunks == 1 {
+        return work(0..count, fields);
+    }
+    let ranges = (RANGES_PER_CHUNK * chunks).min(count);
+    let (mut tasks, mut rest, mut start) = (Vec::with_capacity(ranges), fields, 0);
+    for range in 0..ranges {
+        let end = count * (range + 1) / ranges;
+        let (own, others) = rest.split_lines(end - start);
+        tasks.push((start..end, own));
+        (start, rest) = (end, others);
+    }
+    for_each_task(tasks, |(lines, fields)| work(lines, fields));
+}
+
+/// Applies `work` to the index and the value of each node of `field`.
+pub(crate) fn map_nodes<T: Send>(field: &mut [T], work: impl Fn(usize, &mut T) + Sync) {
+    let count = field.len();
+    for_each_range(FieldLines::new(field, 1), count, count, |nodes, field| {
+        for (node, value) in nodes.zip(field.values) {
+            work(node, value);
+        }
+    });
 }
 
 /// Applies `work` to the index and the values of each line of `field`, `length` values each.
@@ -93,17 +118,12 @@ pub(crate) fn map_lines<T: Send>(field: &mut [T], length: usize, work: impl Fn(u
     });
 }
 
-/// Recursive bisection into `chunks` ranges; the halves run in parallel.
-fn divide<L: Lines>(fields: L, lines: Range<usize>, chunks: usize, work: &(impl Fn(Range<usize>, L) + Sync)) {
-    if chunks <= 1 || lines.len() <= 1 {
-        return work(lines, fields);
+/// Applies `work` to each of `items`.
+pub(crate) fn for_each_with<T: Send>(items: &mut [T], work: impl Fn(&mut T) + Sync) {
+    if let [item] = items {
+        return work(item);
     }
-    let middle = lines.start + lines.len() / 2;
-    let (head, tail) = fields.split_lines(middle - lines.start);
-    join(
-        || divide(head, lines.start..middle, chunks / 2, work),
-        || divide(tail, middle..lines.end, chunks - chunks / 2, work),
-    );
+    for_each_task(items.iter_mut().collect(), work);
 }
 
 #[cfg(test)]

@@ -41,8 +41,8 @@ pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};
 pub(crate) use least_squares::least_squares;
-pub(crate) use lines::{FieldLines, for_each_range, map_lines};
-pub(crate) use parallel::join;
+pub(crate) use lines::{FieldLines, for_each_range, for_each_with, map_lines, map_nodes};
+pub(crate) use parallel::{chunk_count, join};
 pub(crate) use real_fft::RealFft2;
 #[cfg(feature = "parallel")]
 pub use threads::set_num_threads;

@@ -9,19 +9,18 @@
 #[cfg(feature = "parallel")]
 const PARALLEL_THRESHOLD: usize = 1 << 15;
 /// Chunks per thread, for load balance when a thread is delayed.
-#[cfg(feature = "parallel")]
-const CHUNKS_PER_THREAD: usize = 4;
+pub(super) const CHUNKS_PER_THREAD: usize = 4;
 
 /// Number of chunks, each with its own workspace, for fields of `nodes` values.
 #[cfg(feature = "parallel")]
-pub(super) fn chunk_count(nodes: usize) -> usize {
+pub(crate) fn chunk_count(nodes: usize) -> usize {
     let threads = if nodes < PARALLEL_THRESHOLD { 1 } else { super::threads::count() };
     if threads < 2 { 1 } else { CHUNKS_PER_THREAD * threads }
 }
 
 /// One chunk without threads.
 #[cfg(not(feature = "parallel"))]
-pub(super) fn chunk_count(_nodes: usize) -> usize {
+pub(crate) fn chunk_count(_nodes: usize) -> usize {
     1
 }
 
@@ -33,48 +32,44 @@ pub(super) fn for_each_chunk<T: Send, L: Send>(
     length: usize,
     work: impl Fn(usize, &mut [T], &mut L) + Sync,
 ) {
-    split(workspaces, 0, field, length, &work);
-}
-
-/// Recursive bisection of chunks and lines in proportion; the halves run in parallel.
-fn split<T: Send, L: Send>(
-    workspaces: &mut [L],
-    first: usize,
-    field: &mut [T],
-    length: usize,
-    work: &(impl Fn(usize, &mut [T], &mut L) + Sync),
-) {
-    let lines = field.len() / length;
-    match workspaces {
-        [] => {}
-        _ if lines == 0 => {}
-        [workspace] => work(first, field, workspace),
-        _ => {
-            let (left, right) = workspaces.split_at_mut(workspaces.len() / 2);
-            let count = lines * left.len() / (left.len() + right.len());
-            let (head, tail) = field.split_at_mut(count * length);
-            join(
-                || split(left, first, head, length, work),
-                || split(right, first + count, tail, length, work),
-            );
-        }
+    if let [workspace] = workspaces {
+        return work(0, field, workspace);
     }
+    let (lines, chunks) = (field.len() / length, workspaces.len());
+    let (mut tasks, mut rest, mut first) = (Vec::with_capacity(chunks), field, 0);
+    for (chunk, workspace) in workspaces.iter_mut().enumerate() {
+        let end = lines * (chunk + 1) / chunks;
+        let (own, others) = rest.split_at_mut((end - first) * length);
+        if !own.is_empty() {
+            tasks.push((first, own, workspace));
+        }
+        (first, rest) = (end, others);
+    }
+    for_each_task(tasks, |(first, lines, workspace)| work(first, lines, workspace));
 }
 
-/// Results of two closures that may run in parallel.
+/// Runs `work` on all `tasks` in any order, on several threads.
 #[cfg(feature = "parallel")]
-pub(crate) fn join<A: Send, B: Send>(
-    first: impl FnOnce() -> A + Send,
-    second: impl FnOnce() -> B + Send,
-) -> (A, B) {
-    super::threads::join(first, second)
+pub(super) fn for_each_task<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync) {
+    super::threads::for_each_task(tasks, work);
 }
 
-/// Results of two closures; serial fallback.
+/// Runs `work` on all `tasks`.
 #[cfg(not(feature = "parallel"))]
-pub(crate) fn join<A: Send, B: Send>(
-    first: impl FnOnce() -> A + Send,
-    second: impl FnOnce() -> B + Send,
-) -> (A, B) {
-    (first(), second())
+pub(super) fn for_each_task<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync) {
+    tasks.into_iter().for_each(work);
+}
+
+/// Result of `own`; another thread may run `other` at the same time.
+#[cfg(feature = "parallel")]
+pub(crate) fn join<A>(own: impl FnOnce() -> A, other: impl FnOnce() + Send) -> A {
+    super::threads::join(own, other)
+}
+
+/// Result of `own`, after which `other` runs.
+#[cfg(not(feature = "parallel"))]
+pub(crate) fn join<A>(own: impl FnOnce() -> A, other: impl FnOnce() + Send) -> A {
+    let result = own();
+    other();
+    result
 }

@@ -19,7 +19,7 @@ use super::state::ContactState;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
-use crate::numerics::map_lines;
+use crate::numerics::{FieldLines, for_each_range, map_lines, map_nodes};
 use crate::report::Residuals;
 use crate::reynolds::inner_nodes::{inner_rows, interior};
 
@@ -131,26 +131,29 @@ impl Coupled {
     ) -> Result<(), InputError> {
         problem.deformation.displacement(&state.pressure, &mut self.elastic_film)?;
         self.convolutions += 1.0;
-        for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
-            *h += gap - state.approach;
-        }
+        map_nodes(&mut self.elastic_film, |k, film| *film += problem.gap[k] - state.approach);
         Ok(())
     }
 
     /// Keeps yielded contact at the contact film, and the film of each node consistent with its plastic depth.
     pub(super) fn update_film(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
-        let contact_film = problem.contact_film();
-        for (k, side) in self.active_set.iter().enumerate() {
-            // At the limit the plastic depth of the fluid is an unknown; that of solids closes the gap.
-            state.plastic_depth[k] = if side.fluid == Fluid::AtLimit {
-                state.plastic_depth[k].max(0.0)
-            } else if state.pressure[k] >= problem.limit_at(k) {
-                (contact_film - self.elastic_film[k]).max(0.0)
-            } else {
-                0.0
-            };
-            state.film[k] = self.elastic_film[k] + state.plastic_depth[k];
-        }
+        let (contact_film, limits) = (problem.contact_film(), problem.pressure_limit);
+        let (pressure, n) = (&state.pressure, self.active_set.len());
+        let fields = (FieldLines::new(&mut state.plastic_depth, 1), FieldLines::new(&mut state.film, 1));
+        for_each_range(fields, n, n, |nodes, (depths, films)| {
+            for (k, (depth, film)) in nodes.zip(depths.values.iter_mut().zip(films.values)) {
+                // At the limit the plastic depth of the fluid is an unknown; that of solids closes the gap.
+                let limit = limits.map_or(f64::INFINITY, |limit| limit[k]);
+                *depth = if self.active_set[k].fluid == Fluid::AtLimit {
+                    depth.max(0.0)
+                } else if pressure[k] >= limit {
+                    (contact_film - self.elastic_film[k]).max(0.0)
+                } else {
+                    0.0
+                };
+                *film = self.elastic_film[k] + *depth;
+            }
+        });
     }
 
     /// Fluid quantities and balances of the films and pressures of `state`.
@@ -161,9 +164,7 @@ impl Coupled {
             return;
         };
         self.flow(problem, lubricant, &state.fluid_pressure, &state.film);
-        for (k, mass) in state.mass.iter_mut().enumerate() {
-            *mass = self.fluid.held_mass(k);
-        }
+        map_nodes(&mut state.mass, |k, mass| *mass = self.fluid.held_mass(k));
         state.theta.copy_from_slice(self.fluid.film_fractions());
     }
 

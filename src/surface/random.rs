@@ -188,10 +188,10 @@ impl RandomSurface {
             return patch::deviates(&self.shape, johnson, grid, self.seed, phases_alone);
         }
         let transform = RealFft2::new(grid.nx(), grid.ny());
-        let (amplitudes, mut field) = join(
-            || Amplitudes::new(&self.shape, johnson, grid, &transform, Mean::Zero),
-            || white_noise(grid.len(), self.seed),
-        );
+        let amplitudes = || Amplitudes::new(&self.shape, johnson, grid, &transform, Mean::Zero);
+        let mut made = None;
+        let mut field = join(|| white_noise(grid.len(), self.seed), || made = Some(amplitudes()));
+        let amplitudes = made.unwrap_or_else(amplitudes);
         let length = (grid.len() as f64).sqrt();
         transform.filter(&mut field, |wave, value| {
             if phases_alone {

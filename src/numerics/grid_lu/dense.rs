@@ -6,6 +6,8 @@ use std::ops::Range;
 
 use pulp::Simd;
 
+use super::division::add_divided_product;
+
 /// Padding of columns, in entries.
 pub(super) const VECTOR: usize = 8;
 /// SIMD vectors per tile of rows in a matrix product.
@@ -63,7 +65,7 @@ impl Block<'_> {
 
     /// The block without the columns before `column`.
     #[inline(always)]
-    fn beside(self, column: usize) -> Self {
+    pub(super) fn beside(self, column: usize) -> Self {
         Self { values: &self.values[column * self.stride..], stride: self.stride }
     }
 }
@@ -197,7 +199,7 @@ fn add_to_tile<S: Simd, const ROWS: usize, const COLUMNS: usize>(
 
 /// Inverts a padded block of `pivots` columns in place by blocked Gauss-Jordan elimination without pivoting;
 /// pivots below `smallest` are perturbed to it. `scratch` is as long as the block, `pack` holds [`packed`]
-/// entries. Returns whether all pivots are finite.
+/// entries, each of `packs` as many for a further thread. Returns whether all pivots are finite.
 #[inline(always)]
 pub(super) fn invert<S: Simd>(
     simd: S,
@@ -205,6 +207,7 @@ pub(super) fn invert<S: Simd>(
     pivots: usize,
     smallest: f32,
     [scratch, pack]: [&mut [f32]; 2],
+    packs: &mut [Vec<f32>],
 ) -> bool {
     let rows = padded(pivots);
     if pivots <= 2 * PANEL {
@@ -230,7 +233,8 @@ pub(super) fn invert<S: Simd>(
                 column[range.clone()].fill(0.0);
             }
             let of_panel = Block { values: of_panel, stride: PANEL }.beside(columns.start);
-            add_matrix_product(simd, [out, &mut *pack], rows, panel, of_panel, [rows, width, columns.len()]);
+            let sizes = [rows, width, columns.len()];
+            add_divided_product(simd, [out, &mut *pack], packs, rows, [panel, of_panel], sizes);
         }
     }
     is_finite

@@ -5,9 +5,8 @@
 use pulp::{Scalar, Simd, WithSimd};
 
 use super::Matrix;
-use super::dense::{
-    Block, VECTOR, add_matrix_product, add_product, flush_negligible, invert, packed, padded, significant,
-};
+use super::dense::{Block, VECTOR, add_product, flush_negligible, invert, packed, padded, significant};
+use super::division::add_divided_product;
 use super::structure::{Edge, Front, IndexRange, Structure};
 
 /// Static pivot threshold relative to the largest entry of a row. Units of the unknowns alone can make pivots
@@ -122,6 +121,8 @@ pub(super) struct Elimination<'a, 'b> {
     pub(super) update_matrix: &'b mut [f32],
     /// Workspace.
     pub(super) scratch: &'b mut [f32],
+    /// Workspaces of further threads for the products of a large front; empty for one thread.
+    pub(super) packs: &'b mut [Vec<f32>],
 }
 
 impl WithSimd for Elimination<'_, '_> {
@@ -184,7 +185,7 @@ impl Elimination<'_, '_> {
     /// Eliminates the pivots; returns whether they are finite.
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> bool {
-        let Self { front, structure, matrix, values, children, update_matrix, scratch } = self;
+        let Self { front, structure, matrix, values, children, update_matrix, scratch, packs } = self;
         let ([s, b], edges) = (front.size(), structure.edges(front));
         let (rows, border_rows) = (front.pivot_rows(), front.border_rows());
         let Parts { inverse, lower, upper } = front.parts(values);
@@ -192,7 +193,7 @@ impl Elimination<'_, '_> {
         inverse.fill(0.0);
         structure.place_entries(front, matrix, inverse);
         if front.is_leaf {
-            let is_finite = invert(simd, inverse, s, STATIC_PIVOT, [scratch, pack]);
+            let is_finite = invert(simd, inverse, s, STATIC_PIVOT, [scratch, pack], packs);
             flush_negligible(inverse);
             eliminate_leaf(matrix, edges, [rows, border_rows], [inverse, lower, upper, update_matrix]);
             return is_finite;
@@ -212,7 +213,7 @@ impl Elimination<'_, '_> {
         }
         // P^-1, -B P^-1 and the update matrix C' - B P^-1 C
         let (raw, rest) = scratch.split_at_mut(border_rows * s);
-        let is_finite = invert(simd, inverse, s, STATIC_PIVOT, [rest, &mut *pack]);
+        let is_finite = invert(simd, inverse, s, STATIC_PIVOT, [rest, &mut *pack], packs);
         flush_negligible(inverse);
         flush_negligible(upper);
         for value in &mut *raw {
@@ -221,11 +222,13 @@ impl Elimination<'_, '_> {
         lower.fill(0.0);
         let raw = Block { values: raw, stride: border_rows };
         let of_pivots = Block { values: inverse, stride: rows };
-        add_matrix_product(simd, [lower, &mut *pack], border_rows, raw, of_pivots, [border_rows, s, s]);
+        let sizes = [border_rows, s, s];
+        add_divided_product(simd, [lower, &mut *pack], packs, border_rows, [raw, of_pivots], sizes);
         flush_negligible(lower);
         let (lower, upper) =
             (Block { values: lower, stride: border_rows }, Block { values: upper, stride: rows });
-        add_matrix_product(simd, [update_matrix, pack], border_rows, lower, upper, [border_rows, s, b]);
+        let sizes = [border_rows, s, b];
+        add_divided_product(simd, [update_matrix, pack], packs, border_rows, [lower, upper], sizes);
         is_finite
     }
 }

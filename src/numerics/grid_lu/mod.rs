@@ -6,7 +6,7 @@
 //!
 //! `dissection` divides the grid into two subdomains and a separator between them, recursively. The
 //! subdomains are independent until their separator is eliminated, so subtrees are factorized in parallel
-//! (`tree`). `structure` computes the fronts for the sparsity pattern of each matrix. The elimination of a
+//! (`tree`, `traversal`); the columns of the products of the last fronts are divided between threads (`division`). `structure` computes the fronts for the sparsity pattern of each matrix. The elimination of a
 //! front is work on small dense blocks (`front`, `dense`): a front with the pivot block `P`, the block `B`
 //! below and `C` beside it passes the update matrix (Schur complement) `-B P^-1 C` to its parent. With `n`
 //! coupled nodes a factorization costs `O(n^1.5)` operations and `O(n log n)` memory, a solve `O(n log n)`.
@@ -16,8 +16,10 @@
 
 mod dense;
 mod dissection;
+mod division;
 mod front;
 mod structure;
+mod traversal;
 mod tree;
 
 use std::fmt;
@@ -27,6 +29,7 @@ use front::STATIC_PIVOT;
 use structure::DECOUPLED;
 use tree::Tree;
 
+use super::lines::map_nodes;
 use super::parallel::chunk_count;
 
 /// Number of entries in a row of the five-point stencil: center, east, west, north, south.
@@ -38,6 +41,8 @@ pub(crate) struct GridLu {
     tree: Tree,
     /// Reciprocal of the largest entry of each row, divided by the pivot for decoupled nodes.
     scale: Vec<f32>,
+    /// Couplings of each node to its neighbors, by an entry in either row: one bit for each slot.
+    couplings: Vec<u8>,
     /// Whether the last factorization succeeded.
     factorised: bool,
 }
@@ -67,7 +72,12 @@ impl GridLu {
     /// Elimination order and buffers for a grid.
     pub(crate) fn new(nx: usize, ny: usize) -> Self {
         let n = nx * ny;
-        Self { tree: Tree::new(nx, ny, chunk_count(n)), scale: vec![1.0; n], factorised: false }
+        Self {
+            tree: Tree::new(nx, ny, chunk_count(n)),
+            scale: vec![1.0; n],
+            couplings: vec![0; n],
+            factorised: false,
+        }
     }
 
     /// Factorizes the matrix with row `k` in `stencil[5 k..5 k + 5]`, in the order center, east, west, north,
@@ -83,18 +93,23 @@ impl GridLu {
         stencil: &[f32],
         must_stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
-        for (row, scale) in stencil.chunks_exact(STENCIL).zip(&mut self.scale) {
+        map_nodes(&mut self.scale, |node, scale| {
+            let row = &stencil[STENCIL * node..][..STENCIL];
             let largest = row.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
             *scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-        }
+        });
         let offsets = self.tree.structure.offsets;
         let has_entry = |node: usize, slot: usize| {
             let row = node.checked_mul(STENCIL).and_then(|start| stencil.get(start..start + STENCIL));
             row.is_some_and(|row| row[slot + 1] != 0.0)
         };
-        self.tree.update(|node, slot| {
-            has_entry(node, slot) || has_entry(node.wrapping_add_signed(offsets[slot + 1]), slot ^ 1)
+        map_nodes(&mut self.couplings, |node, couplings| {
+            let is_coupled = |slot: usize| {
+                has_entry(node, slot) || has_entry(node.wrapping_add_signed(offsets[slot + 1]), slot ^ 1)
+            };
+            *couplings = (0..4).map(|slot| u8::from(is_coupled(slot)) << slot).sum();
         });
+        self.tree.update(|node, slot| self.couplings[node] >> slot & 1 == 1);
         let matrix = Matrix { stencil, scale: &self.scale };
         let is_finite = self.tree.eliminate(matrix, must_stop) && self.eliminate_decoupled(stencil);
         self.factorised = is_finite;
@@ -186,6 +201,22 @@ mod tests {
                 assert!(worst < 1e-4 * 2e8, "{nx} x {ny}: off by {worst}");
             }
         }
+    }
+
+    #[test]
+    fn solutions_are_bit_identical_for_any_number_of_tasks() {
+        let (nx, ny) = (200, 170);
+        let stencil = matrix(nx, ny);
+        let right: Vec<f32> = (0..nx * ny).map(|k| stencil[STENCIL * k] * (2.0 + (k as f32).cos())).collect();
+        let solutions = [1, 2, 5, 8].map(|tasks| {
+            let mut lu = GridLu::new(nx, ny);
+            lu.tree = Tree::new(nx, ny, tasks);
+            let mut x = right.clone();
+            assert!(lu.factorise(&stencil));
+            lu.solve(&mut x);
+            x.into_iter().map(f32::to_bits).collect::<Vec<_>>()
+        });
+        assert!(solutions.windows(2).all(|pair| pair[0] == pair[1]));
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The films of contact nodes between two Newton steps.
 
+use crate::numerics::map_nodes;
 use crate::reynolds::active_set::Solid;
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
@@ -19,10 +20,10 @@ pub(super) fn clamp_film_to_contact(
     let Some(lubricant) = problem.lubricant else { return };
     coupled.update_film(problem, state);
     let contact_film = problem.contact_film();
-    for (film, side) in state.film.iter_mut().zip(&coupled.active_set) {
-        if side.solid == Solid::Contact {
+    map_nodes(&mut state.film, |k, film| {
+        if coupled.active_set[k].solid == Solid::Contact {
             *film = contact_film;
         }
-    }
+    });
     coupled.flow(problem, lubricant, &state.fluid_pressure, &state.film);
 }

@@ -1,4 +1,4 @@
-//! Derivatives of the flow through faces, in single precision.
+//! Derivatives of the flow through faces, in single precision, and its changes.
 
 use crate::numerics::FieldLines;
 
@@ -22,4 +22,49 @@ pub(super) fn store(flows: &mut [FieldLines<'_, f32>; 4], i: usize, derivatives:
 /// In single precision, clamped to finite numbers.
 pub(super) fn single(value: f64) -> f32 {
     value.clamp(-LARGEST, LARGEST) as f32
+}
+
+/// Changes of the flows through the faces between nodes `stride` apart, of those from node `first` on as many as `out`
+/// has; the last `stride` nodes of the grid have no face.
+pub(super) fn flow_changes(
+    flows: &FaceFlows,
+    stride: usize,
+    [pressure, film]: [&[f32]; 2],
+    first: usize,
+    out: &mut [f32],
+) {
+    let end = (first + out.len()).min(pressure.len() - stride);
+    let n = end.saturating_sub(first);
+    let [own_p, other_p, own_h, other_h] = flows.each_ref().map(|derivatives| &derivatives[first..][..n]);
+    let (p, p_other) = (&pressure[first..][..n], &pressure[end - n + stride..][..n]);
+    let (h, h_other) = (&film[first..][..n], &film[end - n + stride..][..n]);
+    for (k, out) in out[..n].iter_mut().enumerate() {
+        *out = (own_p[k] * p[k] + other_p[k] * p_other[k]) + (own_h[k] * h[k] + other_h[k] * h_other[k]);
+    }
+}
+
+/// Changes of the entrainment through the faces to the east beyond the masses of their first nodes, in whole rows from
+/// node `first` on; the last node of the grid keeps its value.
+pub(super) fn beyond_changes(
+    derivatives: &[Vec<f32>; 5],
+    [pressure, film]: [&[f32]; 2],
+    first: usize,
+    out: &mut [f32],
+) {
+    let end = (first + out.len()).min(pressure.len() - 1);
+    // The first node of the grid has no upstream neighbor.
+    let from = first.max(1);
+    let n = end - from;
+    let [own_p, up_p, own_h, next_h, up_h] =
+        derivatives.each_ref().map(|derivatives| &derivatives[from..][..n]);
+    let (p_up, p) = (&pressure[from - 1..][..n], &pressure[from..][..n]);
+    let (h_up, h, h_next) = (&film[from - 1..][..n], &film[from..][..n], &film[from + 1..][..n]);
+    for (k, out) in out[from - first..][..n].iter_mut().enumerate() {
+        *out = (own_p[k] * p[k] + up_p[k] * p_up[k])
+            + (own_h[k] * h[k] + next_h[k] * h_next[k] + up_h[k] * h_up[k]);
+    }
+    if first == 0 {
+        let [own_p, _, own_h, next_h, _] = derivatives;
+        out[0] = own_p[0] * pressure[0] + own_h[0] * film[0] + next_h[0] * film[1];
+    }
 }

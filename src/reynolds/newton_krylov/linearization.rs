@@ -5,9 +5,9 @@
 //! balance of an isolated region, the small difference of large flows, keeps its digits.
 
 use super::across::Across;
-use super::face_flows::{FaceFlows, single, store};
+use super::face_flows::{FaceFlows, beyond_changes, flow_changes, single, store};
 use crate::grid::Grid;
-use crate::numerics::{FieldLines, STENCIL, for_each_range};
+use crate::numerics::{FieldLines, STENCIL, for_each_range, map_lines, map_nodes};
 use crate::reynolds::flow::Discretisation;
 use crate::reynolds::inner_nodes::inner_rows;
 
@@ -73,9 +73,7 @@ impl Linearization {
                 (*by_pressure, *by_film) = (single(stiffness * pressure), single(film));
             }
         });
-        for (k, advected) in self.advected.iter_mut().enumerate() {
-            *advected = single(fluid.advected_fraction(k));
-        }
+        map_nodes(&mut self.advected, |k, advected| *advected = single(fluid.advected_fraction(k)));
         // Flow by pressure through the faces, and entrainment beyond the masses.
         self.has_entrainment_corrections = fluid.has_entrainment_corrections();
         let has_corrections = self.has_entrainment_corrections;
@@ -121,60 +119,84 @@ impl Linearization {
     /// Change of the balance of every inner node under changes of fluid pressure and film; others stay as
     /// they are.
     pub(super) fn product(&mut self, pressure: &[f32], film: &[f32], out: &mut [f32]) {
-        let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
-        // Changes of masses, of flows through faces and of entrainment beyond the masses.
-        let [by_pressure, by_film] = &self.mass;
-        let derivatives = by_pressure.iter().zip(by_film);
-        let changes = pressure.iter().zip(film);
-        for ((mass, (a, b)), (p, h)) in self.mass_change.iter_mut().zip(derivatives).zip(changes) {
-            *mass = a * p + b * h;
-        }
-        flow_changes(&self.east, 1, pressure, film, &mut self.east_change);
-        if self.has_entrainment_corrections {
-            beyond_changes(&self.beyond, pressure, film, &mut self.beyond_change);
-        }
-        if ny > 1 {
-            flow_changes(&self.north, nx, pressure, film, &mut self.north_change);
-        }
+        let nx = self.grid.nx();
+        self.update_changes(pressure, film);
         // Balances, row by row.
-        for j in inner_rows(&self.grid) {
-            let first = j * nx;
-            let row = first..first + nx;
-            let (mass, east, advected) =
-                (&self.mass_change[row.clone()], &self.east_change[row.clone()], &self.advected[row.clone()]);
-            let beyond = &self.beyond_change[row.clone()];
-            let out = &mut out[row];
-            // Flow by pressure through the faces.
-            for i in 1..nx - 1 {
-                out[i] = east[i] - east[i - 1];
+        let (this, inner) = (&*self, inner_rows(&self.grid));
+        map_lines(out, nx, |j, row| {
+            if inner.contains(&j) {
+                this.balance_row(j, row);
             }
-            // The first row of a strip has no face to the south, the last one no flow to the north.
-            let north = &self.north_change[first..n];
-            if first >= nx {
-                let south = &self.north_change[first - nx..first];
-                for ((out, north), south) in out[1..nx - 1].iter_mut().zip(&north[1..]).zip(&south[1..]) {
-                    *out += north - south;
-                }
-            } else if ny > 1 {
-                for (out, north) in out[1..nx - 1].iter_mut().zip(&north[1..]) {
-                    *out += north;
-                }
+        });
+        if let Some(across) = &mut self.across {
+            flow_changes(&across.faces, nx, [pressure, film], 0, &mut across.change);
+            across.add_entrainment(&self.mass_change, &self.beyond_change, &self.advected, &self.upwind, out);
+        }
+    }
+
+    /// Changes of masses, of flows through faces and of entrainment beyond the masses.
+    fn update_changes(&mut self, pressure: &[f32], film: &[f32]) {
+        let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
+        let (east, north, beyond, has_corrections) =
+            (&self.east, &self.north, &self.beyond, self.has_entrainment_corrections);
+        let [by_pressure, by_film] = &self.mass;
+        let fields = (
+            FieldLines::new(&mut self.mass_change, nx),
+            FieldLines::new(&mut self.east_change, nx),
+            FieldLines::new(&mut self.north_change, nx),
+            FieldLines::new(&mut self.beyond_change, nx),
+        );
+        for_each_range(fields, ny, n, |rows, (mass, east_change, north_change, beyond_change)| {
+            let (first, nodes) = (rows.start * nx, rows.start * nx..rows.end * nx);
+            let derivatives = by_pressure[nodes.clone()].iter().zip(&by_film[nodes.clone()]);
+            let changes = pressure[nodes.clone()].iter().zip(&film[nodes]);
+            for ((mass, (a, b)), (p, h)) in mass.values.iter_mut().zip(derivatives).zip(changes) {
+                *mass = a * p + b * h;
             }
-            if self.across.is_some() {
-                continue;
+            flow_changes(east, 1, [pressure, film], first, east_change.values);
+            if has_corrections {
+                beyond_changes(beyond, [pressure, film], first, beyond_change.values);
             }
-            // Entrainment, downstream: nodes that are not filled advect their inflow.
-            let [here, up] = self.upwind[j];
-            let mut inflow = beyond[0] - up * mass[0];
-            for i in 1..nx - 1 {
-                let flow = out[i] - inflow;
-                out[i] = flow + here * mass[i] + beyond[i];
-                inflow = if advected[i] > 0.0 { -advected[i] * flow } else { beyond[i] - up * mass[i] };
+            if ny > 1 {
+                flow_changes(north, nx, [pressure, film], first, north_change.values);
+            }
+        });
+    }
+
+    /// Changes of the balances in row `j` under the present changes; with surfaces that turn without those of
+    /// entrainment.
+    fn balance_row(&self, j: usize, out: &mut [f32]) {
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        let first = j * nx;
+        let row = first..first + nx;
+        let (mass, east, advected) =
+            (&self.mass_change[row.clone()], &self.east_change[row.clone()], &self.advected[row.clone()]);
+        let (beyond, north) = (&self.beyond_change[row.clone()], &self.north_change[row]);
+        // Flow by pressure through the faces.
+        for i in 1..nx - 1 {
+            out[i] = east[i] - east[i - 1];
+        }
+        // The first row of a strip has no face to the south, the last one no flow to the north.
+        if first >= nx {
+            let south = &self.north_change[first - nx..first];
+            for ((out, north), south) in out[1..nx - 1].iter_mut().zip(&north[1..]).zip(&south[1..]) {
+                *out += north - south;
+            }
+        } else if ny > 1 {
+            for (out, north) in out[1..nx - 1].iter_mut().zip(&north[1..]) {
+                *out += north;
             }
         }
-        if let Some(across) = &mut self.across {
-            flow_changes(&across.faces, nx, pressure, film, &mut across.change);
-            across.add_entrainment(&self.mass_change, &self.beyond_change, &self.advected, &self.upwind, out);
+        if self.across.is_some() {
+            return;
+        }
+        // Entrainment, downstream: nodes that are not filled advect their inflow.
+        let [here, up] = self.upwind[j];
+        let mut inflow = beyond[0] - up * mass[0];
+        for i in 1..nx - 1 {
+            let flow = out[i] - inflow;
+            out[i] = flow + here * mass[i] + beyond[i];
+            inflow = if advected[i] > 0.0 { -advected[i] * flow } else { beyond[i] - up * mass[i] };
         }
     }
 
@@ -245,29 +267,4 @@ impl Linearization {
         }
         row
     }
-}
-
-/// Changes of the flows through the faces between nodes `stride` apart.
-fn flow_changes(flows: &FaceFlows, stride: usize, pressure: &[f32], film: &[f32], out: &mut [f32]) {
-    let n = out.len() - stride;
-    let [own_p, other_p, own_h, other_h] = flows.each_ref().map(|derivatives| &derivatives[..n]);
-    let (p, p_other) = (&pressure[..n], &pressure[stride..][..n]);
-    let (h, h_other) = (&film[..n], &film[stride..][..n]);
-    for (k, out) in out[..n].iter_mut().enumerate() {
-        *out = (own_p[k] * p[k] + other_p[k] * p_other[k]) + (own_h[k] * h[k] + other_h[k] * h_other[k]);
-    }
-}
-
-/// Changes of the entrainment through the faces to the east beyond the masses of their first nodes.
-fn beyond_changes(derivatives: &[Vec<f32>; 5], pressure: &[f32], film: &[f32], out: &mut [f32]) {
-    let n = out.len() - 2;
-    let [own_p, up_p, own_h, next_h, up_h] = derivatives.each_ref().map(|derivatives| &derivatives[1..][..n]);
-    let (p_up, p) = (&pressure[..n], &pressure[1..][..n]);
-    let (h_up, h, h_next) = (&film[..n], &film[1..][..n], &film[2..][..n]);
-    for (k, out) in out[1..][..n].iter_mut().enumerate() {
-        *out = (own_p[k] * p[k] + up_p[k] * p_up[k])
-            + (own_h[k] * h[k] + next_h[k] * h_next[k] + up_h[k] * h_up[k]);
-    }
-    let [own_p, _, own_h, next_h, _] = derivatives;
-    out[0] = own_p[0] * pressure[0] + own_h[0] * film[0] + next_h[0] * film[1];
 }

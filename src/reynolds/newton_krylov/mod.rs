@@ -53,6 +53,7 @@ mod soft_start;
 mod unknowns;
 mod weak_coupling;
 mod window;
+mod window_place;
 
 pub(crate) use fluid_block::FluidBlock;
 use linear_system::LinearSystem;

@@ -8,7 +8,7 @@ use super::unknowns::{Linearized, Unknowns};
 use super::weak_coupling::FREE;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::STENCIL;
+use crate::numerics::{FieldLines, STENCIL, for_each_range, map_nodes};
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 
@@ -77,11 +77,12 @@ impl BlockPreconditioner {
     ) -> bool {
         // Solid contact screens the pressures of the fluid.
         self.screened = coupled.active_set.iter().any(|side| side.is_contact());
-        self.film_weight.fill(0.0);
         // Nodes with prescribed films. On a line the inverse of the logarithmic kernel is too poor for pressures
         // from films.
         if problem.lubricant.is_some() && coupled.fluid.grid.ny() > 1 {
-            self.find_shares(coupled, unknowns);
+            self.find_shares(coupled);
+        } else {
+            self.film_weight.fill(0.0);
         }
         let contact = unknowns.contact().iter().map(|&k| (k, 1.0));
         let open = unknowns.open().iter().map(|&k| (k, f64::from(self.film_weight[k as usize])));
@@ -90,19 +91,24 @@ impl BlockPreconditioner {
             return true;
         }
         // Assemble the five-point matrix of the fluid; all other nodes have the identity.
-        for row in self.stencil.chunks_exact_mut(STENCIL) {
-            row.copy_from_slice(&[1.0, 0.0, 0.0, 0.0, 0.0]);
-        }
         self.mark_coupled(linearization, unknowns);
-        let dof_map = |node: usize| match coupled.active_set[node].dof_map() {
-            [_, film] if self.film_weight[node] >= 1.0 => [0.0, film],
+        let (active_set, film_weight, is_coupled) =
+            (&coupled.active_set, &self.film_weight, &self.is_coupled);
+        let dof_map = |node: usize| match active_set[node].dof_map() {
+            [_, film] if film_weight[node] >= 1.0 => [0.0, film],
             both => both,
         };
-        let upstream = (0..self.is_coupled.len()).filter(|k| self.is_coupled[*k]);
-        for k in unknowns.balanced().iter().map(|&k| k as usize).chain(upstream) {
-            let row = linearization.stencil_row(k, dof_map, &self.is_coupled);
-            self.stencil[STENCIL * k..][..STENCIL].copy_from_slice(&row);
-        }
+        let n = is_coupled.len();
+        for_each_range(FieldLines::new(&mut self.stencil, STENCIL), n, n, |nodes, stencil| {
+            for (k, row) in nodes.zip(stencil.values.chunks_exact_mut(STENCIL)) {
+                let has_row = active_set[k].has_balance() || is_coupled[k];
+                row.copy_from_slice(&if has_row {
+                    linearization.stencil_row(k, dof_map, is_coupled)
+                } else {
+                    [1.0, 0.0, 0.0, 0.0, 0.0]
+                });
+            }
+        });
         // Scale the rows and factorize.
         unknowns.set_row_sizes(|k| self.fluid_block.row_size(self.stencil[STENCIL * k]));
         self.fluid_block.prepare(&self.stencil, &|| problem.deformation.must_stop())
@@ -119,18 +125,21 @@ impl BlockPreconditioner {
         }
     }
 
-    /// Share of the pressure of each open node that is found from its film.
-    fn find_shares(&mut self, coupled: &Coupled, unknowns: &Unknowns) {
-        for &k in unknowns.open() {
-            let k = k as usize;
+    /// Share of the pressure of each open node that is found from its film; zero elsewhere.
+    fn find_shares(&mut self, coupled: &Coupled) {
+        map_nodes(&mut self.film_weight, |k, weight| {
+            *weight = 0.0;
+            if !coupled.active_set[k].is_open_fluid() {
+                return;
+            }
             // Pressure flow over entrainment by the elastic response decides between film and pressure.
             let ratio = coupled.fluid.flow_ratio(k, coupled.near).max(0.0);
             if ratio < STIFF {
-                self.film_weight[k] = 1.0;
+                *weight = 1.0;
             } else if ratio < FREE {
-                self.film_weight[k] = (1.0 + (ratio / BALANCED).sqrt()).sqrt().recip() as f32;
+                *weight = (1.0 + (ratio / BALANCED).sqrt()).sqrt().recip() as f32;
             }
-        }
+        });
     }
 
     /// Prepares the border: the blocks applied to the column of the approach, which moves all films alike.

@@ -5,12 +5,13 @@ use super::node::{Material, NodeBalance, NodePrediction, NodeSolution};
 use super::prediction::Prediction;
 use super::settings::{REGION_SHARE, REGION_STEPS};
 use super::weak_coupling::is_weakly_coupled;
+use super::window_place::WindowPlace;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::numerics::{GridLu, STENCIL};
 use crate::reynolds::active_set::{Fluid, NodeState, Solid};
 use crate::reynolds::coupled::Coupled;
-use crate::reynolds::flow::{Discretisation, MARGIN, NearField};
+use crate::reynolds::flow::{Discretisation, NearField};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
@@ -19,15 +20,15 @@ use crate::reynolds::state::ContactState;
 #[derive(Debug)]
 pub(super) struct Window {
     grid: Grid,
-    /// Node of the whole grid that is node 0 of the window, and nodes in a row of the whole grid.
-    first: usize,
-    stride: usize,
+    pub(super) place: WindowPlace,
     fluid: Discretisation,
     linearization: Linearization,
     lu: GridLu,
     stencil: Vec<f32>,
     nodes: Vec<NodeSolution>,
     best: Vec<NodeSolution>,
+    /// Whether the best solution is better than the nodes as they came.
+    is_better: bool,
     /// Prediction of the whole step: total pressures \[Pa\] and films without plastic depth \[m\].
     predicted: Vec<[f64; 2]>,
     previous_mass: Vec<f64>,
@@ -56,14 +57,14 @@ impl Window {
         let node = NodeSolution { side, pressure: 0.0, fluid_pressure: 0.0, depth: 0.0 };
         Self {
             grid,
-            first: 0,
-            stride: whole.nx(),
+            place: WindowPlace::new(whole, &grid),
             fluid: Discretisation::new(grid),
             linearization: Linearization::new(grid),
             lu: GridLu::new(grid.nx(), grid.ny()),
             stencil: vec![0.0; STENCIL * n],
             nodes: vec![node; n],
             best: vec![node; n],
+            is_better: false,
             predicted: vec![[0.0; 2]; n],
             previous_mass: vec![0.0; n],
             pressure: vec![0.0; n],
@@ -79,35 +80,18 @@ impl Window {
         }
     }
 
-    /// Node of the whole grid that node `q` of the window is.
-    fn whole_index(&self, q: usize) -> usize {
-        self.first + q % self.grid.nx() + q / self.grid.nx() * self.stride
-    }
-
-    /// Whether the balance of node `q` depends on nodes of the window alone.
-    fn is_core(&self, q: usize) -> bool {
-        let inside = |i: usize, n: usize| n == 1 || (i >= MARGIN && i + MARGIN < n);
-        inside(q % self.grid.nx(), self.grid.nx()) && inside(q / self.grid.nx(), self.grid.ny())
-    }
-
-    /// Places the window around node `k` of the whole grid and copies its nodes.
+    /// Copies the nodes of the window.
     pub(super) fn enter(
         &mut self,
-        k: usize,
         coupled: &Coupled,
         problem: &LubricatedContact<'_>,
         state: &ContactState,
         prediction: &Prediction<'_>,
     ) {
-        let whole = &coupled.fluid.grid;
-        let place = |i: usize, n: usize, all: usize| i.saturating_sub(n / 2).min(all - n);
-        // Keep it inside the grid.
-        self.first = place(k % whole.nx(), self.grid.nx(), whole.nx())
-            + place(k / whole.nx(), self.grid.ny(), whole.ny()) * whole.nx();
         // Coefficients of the flow, states of the nodes, prediction.
-        self.fluid.set_window(&coupled.fluid, self.first);
+        self.fluid.set_window(&coupled.fluid, self.place.first());
         for q in 0..self.grid.len() {
-            let k = self.whole_index(q);
+            let k = self.place.node(q);
             self.nodes[q] = NodeSolution {
                 // Outermost nodes keep the pressure of the edge.
                 side: coupled.active_set[k],
@@ -129,35 +113,29 @@ impl Window {
 
     /// Copies the best solution to the whole grid if it is better than the state there; its nodes count as solved
     /// either way.
-    pub(super) fn leave(
-        &self,
-        is_better: bool,
-        coupled: &mut Coupled,
-        state: &mut ContactState,
-        solved: &mut [bool],
-    ) {
-        for q in (0..self.grid.len()).filter(|&q| self.is_core(q)) {
-            let k = self.whole_index(q);
+    pub(super) fn leave(&self, coupled: &mut Coupled, state: &mut ContactState, solved: &mut [bool]) {
+        for q in (0..self.grid.len()).filter(|&q| self.place.is_core(q)) {
+            let k = self.place.node(q);
             solved[k] = true;
-            if is_better && self.chosen[q] {
+            if self.is_better && self.chosen[q] {
                 self.best[q].write(k, coupled, state);
             }
         }
     }
 
-    /// Newton steps for the weakly coupled nodes; says whether one of them lowers the sum of their imbalances.
+    /// Newton steps for the weakly coupled nodes; keeps the best solution if it lowers the sum of their imbalances.
     pub(super) fn solve(
         &mut self,
         problem: &LubricatedContact<'_>,
         lubricant: &Lubricant,
         step_bound: f64,
         near: NearField,
-    ) -> bool {
+    ) {
         self.flow(problem, lubricant, near.own);
         // Choose the nodes.
         for q in 0..self.grid.len() {
             let side = self.nodes[q].side;
-            self.chosen[q] = self.is_core(q) && is_weakly_coupled(&self.fluid, side, q, near);
+            self.chosen[q] = self.place.is_core(q) && is_weakly_coupled(&self.fluid, side, q, near);
         }
         let before = self.residual_norm(problem);
         let mut least = before;
@@ -176,7 +154,7 @@ impl Window {
                 break;
             }
         }
-        least < before
+        self.is_better = least < before;
     }
 
     /// Flow through the films that respond to own pressures.
@@ -229,7 +207,7 @@ impl Window {
             let own_change = if side.solid == Solid::Open { [change, film_change] } else { [0.0; 2] };
             let material = Material {
                 contact_film: problem.contact_film(),
-                limit: problem.limit_at(self.whole_index(q)),
+                limit: problem.limit_at(self.place.node(q)),
                 own_influence: own,
                 step_bound,
             };

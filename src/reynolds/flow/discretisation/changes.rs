@@ -1,5 +1,7 @@
 //! The nodes that an update of the flow computes anew.
 
+use crate::numerics::{FieldLines, for_each_range};
+
 /// Pressures and films of the last update, and the nodes at which those of the present one differ from them.
 ///
 /// The quantities of a node and of its faces depend on pressures and films alone, so those of unchanged nodes keep
@@ -26,18 +28,27 @@ impl Changes {
 
     /// Compares with the last update, whose pressures and films these become.
     pub(super) fn compare(&mut self, pressure: &[f64], film: &[f64]) {
-        if self.is_valid {
-            let last = self.pressure.iter().zip(&self.film);
-            let now = pressure.iter().zip(film);
-            for (changed, (now, last)) in self.has_changed.iter_mut().zip(now.zip(last)) {
-                *changed = now != last;
+        let n = self.has_changed.len();
+        let fields = (
+            FieldLines::new(&mut self.has_changed, 1),
+            FieldLines::new(&mut self.pressure, 1),
+            FieldLines::new(&mut self.film, 1),
+        );
+        let is_valid = std::mem::replace(&mut self.is_valid, true);
+        for_each_range(fields, n, n, |nodes, (has_changed, last_pressure, last_film)| {
+            let (pressure, film) = (&pressure[nodes.clone()], &film[nodes]);
+            if is_valid {
+                let last = last_pressure.values.iter().zip(&*last_film.values);
+                let now = pressure.iter().zip(film);
+                for (changed, (now, last)) in has_changed.values.iter_mut().zip(now.zip(last)) {
+                    *changed = now != last;
+                }
+            } else {
+                has_changed.values.fill(true);
             }
-        } else {
-            self.has_changed.fill(true);
-            self.is_valid = true;
-        }
-        self.pressure.copy_from_slice(pressure);
-        self.film.copy_from_slice(film);
+            last_pressure.values.copy_from_slice(pressure);
+            last_film.values.copy_from_slice(film);
+        });
     }
 
     /// Whether node `k` has changed.
