@@ -523,8 +523,6 @@ fn physics_that_strips_leave_out_is_rejected_by_name() {
         assert!(solved.contains(expected) && solved == checked, "{expected}: {solved}, {checked}");
     }
     let builder = || MixedLubricationSim::builder(Scene::from_toml(TOML).unwrap());
-    let errors = [builder().check().unwrap_err(), builder().build().unwrap().step(1.0).unwrap_err()];
-    assert!(errors.iter().all(|error| error.to_string().contains("histories")), "{errors:?}");
     let expected = builder().build().unwrap().expectation().unwrap().film.unwrap();
     let hertz = Scene::from_toml(TOML).unwrap().formula_film().unwrap().unwrap();
     assert!((expected.map.central / hertz.map.central - 1.0).abs() < 1e-12, "film of the load per metre");

@@ -71,6 +71,7 @@ mod starvation;
 mod stated_bodies;
 mod strange_files;
 mod strip;
+mod strip_history;
 mod subsurface;
 mod surface;
 mod thermal_film;

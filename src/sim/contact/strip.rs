@@ -37,15 +37,6 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
     }
 }
 
-/// Rejects a history of a strip.
-pub(in crate::sim) fn require_single_contact(scene: &Scene) -> Result<(), InputError> {
-    if scene.is_strip() {
-        Err(conflict("histories need a row or side edges; solve single contacts"))
-    } else {
-        Ok(())
-    }
-}
-
 fn conflict(reason: &str) -> InputError {
     InputError::Conflict { field: "grid.across = \"periodic\"".to_owned(), reason: reason.to_owned() }
 }
