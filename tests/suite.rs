@@ -72,6 +72,8 @@ mod stated_bodies;
 mod strange_files;
 mod strip;
 mod strip_history;
+mod strip_layers;
+mod strip_stress;
 mod subsurface;
 mod surface;
 mod thermal_film;
