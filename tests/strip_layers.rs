@@ -63,8 +63,9 @@ fn equal_rows_deflect_as_the_line_and_steel_on_steel_as_a_half_space() {
             );
             let found =
                 displaced(LayeredHalfSpace::strip(grid, MODULUS, layer, REFERENCE).unwrap(), &repeated);
+            let largest = row.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
             for (k, u) in found.iter().enumerate() {
-                assert!((u / row[k % 60] - 1.0).abs() < 1e-6, "{rows} rows, {layer:?}, node {k}");
+                assert!((u - row[k % 60]).abs() < 1e-7 * largest, "{rows} rows, {layer:?}, node {k}");
             }
         }
         let same = Layer::new(3e-6, STEEL, STEEL).unwrap();
@@ -83,7 +84,8 @@ fn roller(modulus: f64, is_dry: bool) -> Scene {
     scene.form = Form::Cylinder { radius: 5e-3 };
     (scene.load, scene.roughness) = (Load::hertz_pressure(1e9), Default::default());
     (scene.plastic, scene.wear, scene.motion.entrainment_speed) = (None, None, 1.0);
-    scene.elastic.layer = Some(LayerSpec::new(20e-6, modulus, 0.25));
+    let layer = scene.elastic.layer.insert(LayerSpec::new(20e-6, modulus, 0.25));
+    (layer.substrate_modulus, layer.substrate_poisson) = (Some(209e9), Some(0.3));
     scene.grid = GridSpec::Row { nx: 120, x: [-0.3e-3, 0.22e-3] };
     scene.stress.insert(StressSpec::default()).depths = 16;
     scene.solver.tolerance = 1e-8;

@@ -81,16 +81,23 @@ fn folded(m: isize, odd: bool) -> (usize, f64) {
 
 /// Sum over the images of a cell of `grid` beyond [`NEAR_PERIODS`] on both sides at the corner column `x` and the row
 /// offset `y` \[m\]: `dy/W` times the integral of the stress along y, by the Euler-Maclaurin formula at midpoints up to the
-/// first derivative, with the second moment of the cell. `value` is the antiderivative along both axes.
+/// third derivative, with the even moments of the cell. `value` is the antiderivative along both axes.
 fn beyond(grid: &Grid, value: &impl Fn([f64; 2]) -> Stresses, [x, y]: [f64; 2]) -> Stresses {
     let (dy, period) = (grid.dy(), grid.size_y());
     let first = (NEAR_PERIODS as f64 + 0.5) * period;
     let far = FAR * grid.size_x().max(first);
     let step = 0.25 * period;
-    let weight = (period * period - dy * dy) / (24.0 * step * step);
+    // Coefficients of the second and the fourth derivative, over the powers of the step.
+    let (square, cell) = ((period / step).powi(2), (dy / step).powi(2));
+    let second = (square - cell) / 24.0;
+    let fourth = square * cell / 576.0 - 7.0 * square * square / 5760.0 - cell * cell / 1920.0;
     let end = |y: f64| {
-        let [below, at, above] = [y - step, y, y + step].map(|y| value([x, y]));
-        std::array::from_fn::<_, COMPONENTS, _>(|c| at[c] - weight * (above[c] - 2.0 * at[c] + below[c]))
+        let [a, b, at, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|steps| value([x, y + steps * step]));
+        std::array::from_fn::<_, COMPONENTS, _>(|c| {
+            let (twice, four) =
+                (b[c] - 2.0 * at[c] + d[c], a[c] - 4.0 * b[c] + 6.0 * at[c] - 4.0 * d[c] + e[c]);
+            at[c] - second * (twice - four / 12.0) - fourth * four
+        })
     };
     let (limits, ends) = ([-far, far].map(|y| value([x, y])), [end(y - first), end(y + first)]);
     std::array::from_fn(|c| dy / period * ((limits[1][c] - ends[1][c]) + (ends[0][c] - limits[0][c])))
