@@ -144,9 +144,28 @@ fn seeds_of_surfaces_that_are_not_random_are_refused() {
     assert_refused(&arguments, &["--seeds = 4: ", "is random", "leave --seeds out"]);
     assert!(!out.exists());
     assert_refused(
-        &["curve", text(&smooth), "--seeds", "1"],
-        &["--seeds = \"1\": must be a whole number from 2"],
+        &["curve", text(&smooth), "--seeds", "0"],
+        &["--seeds = \"0\": must be a whole number from 1"],
     );
+}
+
+/// Four surfaces of a strip whose width is the default, its own with `--seeds 1`.
+#[test]
+fn curve_of_a_strip_of_default_width_has_a_band() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("strip.toml");
+    let scene = std::fs::read_to_string(repository("examples/scenes/strip.toml")).unwrap();
+    let scene = scene.replace("nx = 128\nny = 64", "nx = 48\nny = 16");
+    let open = scene.lines().filter(|line| !line.starts_with("y = ")).collect::<Vec<_>>().join("\n");
+    std::fs::write(&path, open).unwrap();
+    let arguments = ["--from", "0.05", "--to", "0.1", "--points", "2", "--json"];
+    for (seeds, surfaces) in [(&[][..], 4), (&["--seeds", "1"], 1)] {
+        let out = folder.path().join(surfaces.to_string());
+        let result =
+            stribeck(&[&["curve", text(&path), "--out", text(&out)], &arguments[..], seeds].concat());
+        let curve: serde_json::Value = serde_json::from_slice(&result.stdout).unwrap();
+        assert_eq!(curve["points"].as_array().unwrap().len(), 2 * surfaces, "{curve}");
+    }
 }
 
 /// The table has whole lines of all speeds that were printed.

@@ -58,13 +58,7 @@ impl StripHalfSpace {
     /// A grid that is no strip. A modulus that is not finite and positive. A reference below the length of the strip,
     /// which would make the influence of distant nodes negative.
     pub fn new(grid: Grid, equivalent_modulus: f64, reference: f64) -> Result<Self, InputError> {
-        if !grid.is_strip() {
-            return Err(InputError::Conflict {
-                field: "grid".to_owned(),
-                reason: "its rows do not repeat; use Grid::strip".to_owned(),
-            });
-        }
-        require_reference(&grid, reference)?;
+        require_strip(&grid, reference)?;
         InputError::require_positive("elastic.equivalent_modulus", equivalent_modulus)?;
         let (nx, ny) = (grid.nx(), grid.ny());
         let factor = 2.0 / (PI * equivalent_modulus);
@@ -85,25 +79,61 @@ impl StripHalfSpace {
     }
 }
 
+/// Rejects grids whose rows do not repeat, and a reference below the length of the strip.
+pub(super) fn require_strip(grid: &Grid, reference: f64) -> Result<(), InputError> {
+    if grid.is_strip() {
+        return require_reference(grid, reference);
+    }
+    Err(InputError::Conflict {
+        field: "grid".to_owned(),
+        reason: "its rows do not repeat; use Grid::strip".to_owned(),
+    })
+}
+
 /// Potential \[m\] of a cell of `grid` and of its images at an offset of `di` columns and `dj` rows, up to half a
-/// period. The sum over the images beyond [`NEAR_PERIODS`] is that of point sources with the second moments of the cell,
-/// by the Euler-Maclaurin formula at midpoints, up to the third derivative.
-fn potential(grid: &Grid, reference: f64, di: usize, dj: usize) -> f64 {
+/// period.
+pub(super) fn potential(grid: &Grid, reference: f64, di: usize, dj: usize) -> f64 {
+    let half = [0.5 * grid.dx(), 0.5 * grid.dy()];
+    let at = [grid.dx() * di as f64, grid.dy() * dj as f64];
+    periods(grid, reference, (at, 0.0), NEAR_PERIODS, |x, y| rectangle_potential(x, y, half[0], half[1]))
+}
+
+/// The same at a `depth` \[m\] below the cells, above 0, by the potential `cell(x, y)` of one. At a distance of more than
+/// [`NEAR_PERIODS`] all images but the cell itself are an integral.
+pub(super) fn buried_potential(
+    grid: &Grid,
+    reference: f64,
+    (di, dj): (usize, usize),
+    depth: f64,
+    cell: impl Fn(f64, f64) -> f64,
+) -> f64 {
+    let at = [grid.dx() * di as f64, grid.dy() * dj as f64];
+    let is_far = at[0].hypot(depth) > f64::from(NEAR_PERIODS) * grid.size_y();
+    periods(grid, reference, (at, depth), if is_far { 0 } else { NEAR_PERIODS }, cell)
+}
+
+/// Sum of the potential `cell(x, y)` \[m\] of a cell of `grid` and of its images at the offset `[x, y]` and `depth` \[m\]
+/// from the cell. The sum over the images beyond `near` periods is that of point sources with the second moments of the
+/// cell, by the Euler-Maclaurin formula at midpoints, up to the third derivative.
+fn periods(
+    grid: &Grid,
+    reference: f64,
+    ([x, y], depth): ([f64; 2], f64),
+    near: i32,
+    cell: impl Fn(f64, f64) -> f64,
+) -> f64 {
     let (dx, dy, period) = (grid.dx(), grid.dy(), grid.size_y());
-    let (x, y) = (dx * di as f64, dy * dj as f64);
-    let images = -NEAR_PERIODS..=NEAR_PERIODS;
-    let near: f64 =
-        images.map(|q| rectangle_potential(x, y + f64::from(q) * period, 0.5 * dx, 0.5 * dy)).sum();
+    let cells: f64 = (-near..=near).map(|q| cell(x, y + f64::from(q) * period)).sum();
     let beyond = |from: f64| {
-        let r = x.hypot(from);
+        let r = x.hypot(depth).hypot(from);
         let third = 9.0 * from / r.powi(5) - 15.0 * from.powi(3) / r.powi(7);
         let (square, s) = (period * period, from + r);
         let moment = (x / r).powi(2) * (1.0 / r + 1.0 / s) - 1.0 / r;
         -s.ln() - (square - dy * dy) * from / (24.0 * r.powi(3)) + dx * dx * moment / (24.0 * s)
             - 7.0 * square * square / 5760.0 * third
     };
-    let first = (f64::from(NEAR_PERIODS) + 0.5) * period;
-    near + dx * dy / period * (2.0 * reference.ln() + beyond(first + y) + beyond(first - y))
+    let first = (f64::from(near) + 0.5) * period;
+    cells + dx * dy / period * (2.0 * reference.ln() + beyond(first + y) + beyond(first - y))
 }
 
 impl DeformationModel for StripHalfSpace {

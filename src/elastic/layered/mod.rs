@@ -38,7 +38,7 @@ const ROUNDING: f64 = 1e-3;
 /// with the potential `F_0` of the cell (Love 1929) and `F_k` of the cell at the depth `a_k`. The images
 /// `s_k`, `a_k` approximate the transform of the layer to a relative error of 5e-6 up to a ratio of shear
 /// moduli of 100 (3e-5 up to 1000). A layer of the substrate's material has no images. In plane strain the
-/// potentials are twice those of strips.
+/// potentials are twice those of bands.
 ///
 /// Displacements are convolutions through FFTs of twice the grid, at the cost of
 /// [`HalfSpace`](super::HalfSpace). Only the construction costs more: 48 images for each of the `N`
@@ -65,8 +65,8 @@ pub struct LayeredHalfSpace {
     equivalent_modulus: f64,
     /// The layer with its substrate.
     layer: Layer,
-    /// Whether cells are strips of a line contact.
-    plane_strain: bool,
+    /// Distance of zero displacement of a line contact \[m\]; `None` for a point contact.
+    reference: Option<f64>,
     /// Influence coefficients of the nearest nodes \[m/Pa\], rows along y.
     near: [[f64; NEAR + 1]; NEAR + 1],
     /// Convolutions with all coefficients.
@@ -96,7 +96,7 @@ impl LayeredHalfSpace {
             let surface = rectangle_potential(x, y, half[0], half[1]);
             loads.sum(surface, |depth| buried::rectangle(x, y, half, depth)) / PI
         };
-        Ok(Self::from_coefficients(grid, equivalent_modulus, layer, false, coefficient))
+        Ok(Self::from_coefficients(grid, equivalent_modulus, layer, None, coefficient))
     }
 
     /// The plane-strain model under line loads on the single row of `grid`, with displacements relative to
@@ -121,7 +121,51 @@ impl LayeredHalfSpace {
             let surface = strip_potential(x, half, reference);
             2.0 / PI * loads.sum(surface, |depth| buried::strip(x, half, depth, reference))
         };
-        Ok(Self::from_coefficients(grid, equivalent_modulus, layer, true, coefficient))
+        Ok(Self::from_coefficients(grid, equivalent_modulus, layer, Some(reference), coefficient))
+    }
+
+    /// The model under the [strip](Grid::strip) `grid`, with displacements relative to those at the distance `reference`
+    /// \[m\], as in [`StripHalfSpace`](super::StripHalfSpace): potentials are those of a cell and of its images in all
+    /// periods.
+    ///
+    /// # Errors
+    /// A grid that is no strip, a reference below its length, a modulus as in [`LayeredHalfSpace::new`].
+    ///
+    /// ```
+    /// use stribeck::Grid;
+    /// use stribeck::elastic::{DeformationModel, Layer, LayeredHalfSpace};
+    /// let (x, y) = ([-1e-4, 1e-4], [-2e-5, 2e-5]);
+    /// let soft = Layer::new(10e-6, [70e9, 0.3], [210e9, 0.3])?;
+    /// let mut strip = LayeredHalfSpace::strip(Grid::strip(64, 16, x, y)?, 230e9, soft, 10e-3)?;
+    /// let row = Grid::from_edges(64, 1, x, [-0.5, 0.5])?;
+    /// let mut line = LayeredHalfSpace::plane_strain(row, 230e9, soft, 10e-3)?;
+    /// // Equal rows deflect as a line contact.
+    /// let (mut rows, mut row) = ([0.0; 64 * 16], [0.0; 64]);
+    /// strip.displacement(&[1e9; 64 * 16], &mut rows)?;
+    /// line.displacement(&[1e9; 64], &mut row)?;
+    /// assert!((rows[8 * 64 + 20] / row[20] - 1.0).abs() < 1e-7);
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    pub fn strip(
+        grid: Grid,
+        equivalent_modulus: f64,
+        layer: Layer,
+        reference: f64,
+    ) -> Result<Self, InputError> {
+        super::strip::require_strip(&grid, reference)?;
+        let loads = Loads::new(equivalent_modulus, &layer)?;
+        let half = [0.5 * grid.dx(), 0.5 * grid.dy()];
+        let period = grid.ny();
+        let coefficient = |di: usize, dj: usize| {
+            let dj = (dj % period).min(period - dj % period);
+            let surface = super::strip::potential(&grid, reference, di, dj);
+            let buried = |depth| {
+                let cell = |x, y| buried::rectangle(x, y, half, depth);
+                super::strip::buried_potential(&grid, reference, (di, dj), depth, cell)
+            };
+            loads.sum(surface, buried) / PI
+        };
+        Ok(Self::from_coefficients(grid, equivalent_modulus, layer, Some(reference), coefficient))
     }
 
     /// Bodies with the influence `coefficient(i, j)` \[m/Pa\] at an offset of `i` columns and `j` rows.
@@ -129,15 +173,17 @@ impl LayeredHalfSpace {
         grid: Grid,
         equivalent_modulus: f64,
         layer: Layer,
-        plane_strain: bool,
+        reference: Option<f64>,
         coefficient: impl Fn(usize, usize) -> f64,
     ) -> Self {
         let (nx, ny) = (grid.nx(), grid.ny());
-        let table: Vec<f64> = (0..nx * ny).map(|k| coefficient(k % nx, k / nx)).collect();
+        // Offsets of a strip are at most half a period.
+        let rows = if grid.is_strip() { ny / 2 + 1 } else { ny };
+        let table: Vec<f64> = (0..nx * rows).map(|k| coefficient(k % nx, k / nx)).collect();
         let kernel = |di: isize, dj: isize| table[dj.unsigned_abs() * nx + di.unsigned_abs()];
         let near = std::array::from_fn(|dj| std::array::from_fn(|di| coefficient(di, dj)));
         let response = ElasticResponse::new(grid, kernel);
-        Self { equivalent_modulus, layer, plane_strain, near, response }
+        Self { equivalent_modulus, layer, reference, near, response }
     }
 }
 
@@ -183,11 +229,14 @@ impl DeformationModel for LayeredHalfSpace {
     }
 
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
-        if self.plane_strain {
-            return None;
-        }
-        let body = Self::new(grid, self.equivalent_modulus, self.layer).ok()?;
-        Some(Box::new(body))
+        let body = match self.reference {
+            None => Self::new(grid, self.equivalent_modulus, self.layer),
+            Some(reference) if grid.is_strip() => {
+                Self::strip(grid, self.equivalent_modulus, self.layer, reference.max(grid.size_x()))
+            }
+            Some(_) => return None,
+        };
+        Some(Box::new(body.ok()?))
     }
 
     fn influence(&self, di: usize, dj: usize) -> f64 {
@@ -205,7 +254,7 @@ impl ResponseApproximations for LayeredHalfSpace {
     }
 
     fn displacement_periodic(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        if self.plane_strain {
+        if self.grid().ny() == 1 {
             return self.response.displacement_single(pressure, out);
         }
         self.response.displacement_periodic(pressure, out)

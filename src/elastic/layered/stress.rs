@@ -24,7 +24,8 @@ use crate::numerics::{Fft2, RealFft2, fast_length, map_lines};
 /// They are the stresses of a half-space ([`subsurface_stress`]) with Poisson's ratio of layer or substrate
 /// plus the correction of the bond, mode by mode. The correction vanishes for a layer of the substrate's
 /// material. Loads at the surface and the continuity of `zz`, `xz` and `yz` across the bond are exact. The
-/// correction is periodic over twice the length of the grid (a row: eight times); the contribution of the
+/// correction is periodic over twice the length of the grid (a row: eight times; a strip: eight times, and its own
+/// period across); the contribution of the
 /// images below the middle of a load is subtracted. Waves shorter than two cells are omitted from it; they
 /// decay as `exp(-pi h/dx)` up to the bond of a layer of thickness `h`. A grid of one row is in plane strain.
 ///
@@ -108,10 +109,10 @@ impl LayeredStress {
         if let Some(traction) = traction {
             InputError::require_len("traction", traction, grid.len())?;
         }
-        let padded = if grid.ny() == 1 {
-            [fast_length(LINE_PERIOD * grid.nx()), 1]
-        } else {
+        let padded = if grid.has_side_edges() {
             [fast_length(2 * grid.nx() - 1), fast_length(2 * grid.ny() - 1)]
+        } else {
+            [fast_length(LINE_PERIOD * grid.nx()), grid.ny()]
         };
         Ok(Self {
             grid: *grid,
@@ -250,7 +251,7 @@ fn amplitudes(
     loads
 }
 
-/// Period of a row in lengths of the grid: stresses of line loads decay as the square of the distance, those
+/// Period of a row or a strip in lengths of the grid: stresses of line loads decay as the square of the distance, those
 /// of point loads as the cube.
 const LINE_PERIOD: usize = 8;
 /// Refinement of the fine lattice of modes relative to the lattice of the period.
@@ -284,12 +285,13 @@ fn mean(
         }
     };
     let middle = |k: usize| (k as f64 + 0.5) / REFINEMENT as f64;
-    let rows = if ny == 1 { 1 } else { WINDOW_END };
+    let has_side_edges = grid.has_side_edges();
+    let rows = if has_side_edges { WINDOW_END } else { 1 };
     for (i, j) in (0..rows).flat_map(|j| (0..WINDOW_END).map(move |i| (i, j))).skip(1) {
         add(i as f64, j as f64, -1.0);
     }
     for i in 0..WINDOW_END * REFINEMENT {
-        if ny == 1 {
+        if !has_side_edges {
             add(middle(i), 0.0, 1.0 / REFINEMENT as f64);
             continue;
         }

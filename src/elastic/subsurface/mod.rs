@@ -2,13 +2,14 @@
 
 mod corners;
 pub(super) mod extremes;
+mod rectangle;
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 pub use extremes::{Extreme, StressExtremes, stress_extremes};
 
 use self::corners::{COMPONENTS, Parities, UNDER_PRESSURE, UNDER_TRACTION, under_pressure, under_traction};
+use self::rectangle::Rectangle;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{Convolution, ConvolutionPlan};
@@ -72,7 +73,8 @@ impl StressField {
 /// `traction` \[Pa\] along +x on its surface, both constant in each cell of `grid`; `None` for no traction.
 ///
 /// Stresses under a uniformly loaded rectangle have closed forms, which are summed as convolutions through
-/// FFTs of twice the grid, without periodic images. At depth zero the stresses are those just below the
+/// FFTs of twice the grid, without periodic images; on a strip with its images in all periods along y, to 1e-6 of the
+/// pressure. At depth zero the stresses are those just below the
 /// surface. Under a line contact (a row of cells one metre wide) they are the plane-strain stresses to
 /// `4 (1 - 2 v) b/pi` of the pressure, with the half-width `b` in metres. Cost: twelve convolutions and the
 /// transforms of their kernels, six without traction.
@@ -111,10 +113,11 @@ pub fn subsurface_stress(
     let mut stress = StressField::zeros(grid.len());
     let mut scratch = vec![0.0; grid.len()];
     let mut add = |field: &[f64], parities: &Parities, corner: fn(f64, [f64; 3]) -> [f64; COMPONENTS]| {
-        let table = Corners::new(grid, |[x, y]| corner(poisson, [x, y, depth]));
+        let cell = Rectangle::new(grid, |[x, y]| corner(poisson, [x, y, depth]));
         for (component, out) in stress.components().into_iter().enumerate() {
-            let kernel = |di, dj| table.rectangle(component, parities[component], [di, dj]);
-            let plan = ConvolutionPlan::new(grid.nx(), grid.ny(), kernel);
+            let kernel = |di, dj| cell.stress(component, parities[component], [di, dj]);
+            let make = if grid.is_strip() { ConvolutionPlan::periodic_across } else { ConvolutionPlan::new };
+            let plan = make(grid.nx(), grid.ny(), kernel);
             Convolution::new(Arc::new(plan)).apply(field, &mut scratch);
             out.iter_mut().zip(&scratch).for_each(|(sum, part)| *sum += part);
         }
@@ -124,35 +127,4 @@ pub fn subsurface_stress(
         add(traction, &UNDER_TRACTION, under_traction);
     }
     Ok(stress)
-}
-
-/// `G/(2 pi)` at the cell corners of one depth, by rows and columns of offset.
-struct Corners {
-    width: usize,
-    values: Vec<[f64; COMPONENTS]>,
-}
-
-impl Corners {
-    fn new(grid: &Grid, value: impl Fn([f64; 2]) -> [f64; COMPONENTS]) -> Self {
-        let corner = |k: usize| {
-            let at = |i: usize, cell: f64| (i as f64 + 0.5) * cell;
-            value([at(k % grid.nx(), grid.dx()), at(k / grid.nx(), grid.dy())]).map(|g| g / (2.0 * PI))
-        };
-        Self { width: grid.nx(), values: (0..grid.len()).map(corner).collect() }
-    }
-
-    /// The stress at an offset from a cell under unit load.
-    fn rectangle(&self, component: usize, [odd_x, odd_y]: [bool; 2], [di, dj]: [isize; 2]) -> f64 {
-        // Corner m lies at m + 1/2 cells; negative m mirror the others.
-        let folded = |m: isize, odd: bool| {
-            let mirrored = m < 0;
-            let index = if mirrored { -m - 1 } else { m }.unsigned_abs();
-            (index, if mirrored && odd { -1.0 } else { 1.0 })
-        };
-        let corner = |i: isize, j: isize| {
-            let ((i, sign_x), (j, sign_y)) = (folded(i, odd_x), folded(j, odd_y));
-            sign_x * sign_y * self.values[j * self.width + i][component]
-        };
-        (corner(di, dj) - corner(di - 1, dj)) - (corner(di, dj - 1) - corner(di - 1, dj - 1))
-    }
 }

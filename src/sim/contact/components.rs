@@ -146,10 +146,11 @@ pub(in crate::sim) fn half_space(
 ) -> Result<Box<dyn OwnedModel>, InputError> {
     let modulus = scene.equivalent_modulus()?;
     let layer = scene.layer()?;
-    if grid.is_strip() {
-        return Ok(Box::new(StripHalfSpace::new(grid, modulus, reference)?));
-    }
     Ok(match (layer, scene.form.is_line()) {
+        (None, _) if grid.is_strip() => Box::new(StripHalfSpace::new(grid, modulus, reference)?),
+        (Some(layer), _) if grid.is_strip() => {
+            Box::new(LayeredHalfSpace::strip(grid, modulus, layer, reference)?)
+        }
         (None, false) => Box::new(HalfSpace::new(grid, modulus)?),
         (None, true) => Box::new(LineHalfSpace::new(grid, modulus, reference)?),
         (Some(layer), false) => Box::new(LayeredHalfSpace::new(grid, modulus, layer)?),

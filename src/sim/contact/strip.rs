@@ -22,27 +22,10 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
             scene.solver.estimate || scene.solver.accuracy.is_some(),
             "errors of the mesh (solver.estimate, solver.accuracy) are not estimated; compare two meshes",
         ),
-        (
-            scene.elastic.layer.is_some(),
-            "stresses of a layer (elastic.layer) do not repeat across the flow; leave it out",
-        ),
-        (
-            scene.stress.is_some(),
-            "stresses below the surface ([stress]) do not repeat across the flow; leave them out",
-        ),
     ];
     match found.into_iter().find(|(applies, _)| *applies) {
         Some((_, reason)) => Err(conflict(reason)),
         None => Ok(()),
-    }
-}
-
-/// Rejects a history of a strip.
-pub(in crate::sim) fn require_single_contact(scene: &Scene) -> Result<(), InputError> {
-    if scene.is_strip() {
-        Err(conflict("histories need a row or side edges; solve single contacts"))
-    } else {
-        Ok(())
     }
 }
 

@@ -94,8 +94,7 @@ impl SimBuilder {
         }
         self.motion = Some(std::sync::Arc::new(Fixed));
         self.squeeze = !table.quasi_static;
-        let mut sim = self.build()?;
-        sim.takes_strips = true;
+        let sim = self.build()?;
         drive::Drive::new(sim, table).run(observer)
     }
 }

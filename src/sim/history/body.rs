@@ -103,7 +103,7 @@ impl Body {
     }
 
     /// Volume worn off the whole body since the start of the history \[m^3\]; for a line contact per metre of its
-    /// width. It is the time integral of the wear rate over the contact. With Archard's law and one coefficient
+    /// width, for a strip that of one period. It is the time integral of the wear rate over the contact. With Archard's law and one coefficient
     /// it is `K F s/H` (`F` load of the wear pressure, `s` sliding distance), for any box, moving bodies or not.
     /// The patch holds a part of it, see [`Exposure`](crate::sim::scene::Exposure).
     pub fn worn_volume(&self) -> f64 {

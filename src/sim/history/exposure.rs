@@ -13,7 +13,7 @@
 //!
 //! Averaged over the steps, the center line of the track is then exposed for `dt` per step (contact clock) or
 //! `dt 2a/l` (track), in a box of any length. For roughness at random positions in both directions,
-//! `L/(2a)` is replaced by `L_x L_y/(pi a b)`, with the area of the contact. A body at rest relative to the
+//! `L/(2a)` is replaced by `L_x L_y/(pi a b)`, with the area of the contact, of a point contact. A body at rest relative to the
 //! contact (slide-roll ratio 2 or -2) has no track: its nodes in the contact stay there.
 //!
 //! Growth uses `track.exposure`, wear `wear.exposure`. The worn volume is that of the contact and does not
@@ -111,7 +111,7 @@ pub(in crate::sim) fn time_weight(
         // Ratio of the patch to the part of it in the contact.
         let spread = match visits {
             PointRevisit::Permanent => 1.0,
-            PointRevisit::Patch if grid.ny() > 1 => {
+            PointRevisit::Patch if grid.has_side_edges() => {
                 grid.size_x() * grid.size_y()
                     / (std::f64::consts::PI * hertz.half_width_x * hertz.half_width_y)
             }

@@ -136,7 +136,7 @@ fn estimated_rise(
     conditions: &Conditions,
     laws: &Laws,
 ) -> Result<f64, InputError> {
-    let hertz = contact.hertz_under(scene, conditions.load)?;
+    let hertz = contact.hertz_under(scene, conditions.load)?.per_metre(&contact.grid);
     let (motion, mean) = (conditions.motion, hertz.force / hertz.area);
     let (sliding, speeds) = (motion.sliding_speed(), motion.surface_speeds());
     let full = laws.growth.as_ref().map_or(0.0, |law| law.maximum_thickness());

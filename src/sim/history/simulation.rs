@@ -21,7 +21,6 @@ use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::ContactModel;
-use crate::sim::contact::strip;
 use crate::sim::contact::warnings::{self, Warning};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
@@ -117,8 +116,6 @@ pub struct MixedLubricationSim {
     pub(in crate::sim) backup: [Body; 2],
     /// The contact before the present step.
     pub(in crate::sim) before: ContactState,
-    /// Whether the grid may be a strip: in passages and cycles.
-    pub(in crate::sim) takes_strips: bool,
     /// Factor of the time of wear and growth: the cycles that a solved one stands for.
     pub(in crate::sim) represented_cycles: f64,
     /// Warnings so far.
@@ -164,7 +161,6 @@ impl MixedLubricationSim {
             step: 0,
             draws: 0,
             before: ContactState::new(&grid),
-            takes_strips: false,
             represented_cycles: 1.0,
             warnings,
             interrupt: None,
@@ -191,18 +187,12 @@ impl MixedLubricationSim {
     /// As of [`MixedLubricationSim::step`], and laws that exceed the bound in any time.
     pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         control.validate()?;
-        self.require_no_strip_history()?;
         match self.step_in_box(control) {
             Err(SimError::BoxTooSmall(edge)) if self.scene.grid.grows() => {
                 self.step_in_wider_box(control, edge)
             }
             outcome => outcome,
         }
-    }
-
-    /// Rejects histories of strips, unless passages and cycles take their steps.
-    pub(in crate::sim) fn require_no_strip_history(&self) -> Result<(), InputError> {
-        if self.takes_strips { Ok(()) } else { strip::require_single_contact(&self.scene) }
     }
 
     /// As [`step_within`](Self::step_within), without widening the box.

@@ -44,7 +44,6 @@ impl MixedLubricationSim {
 
     /// Returns the input errors of the next solve without solving.
     pub(in crate::sim) fn check_first_contact(&mut self) -> Result<(), SimError> {
-        self.require_no_strip_history()?;
         let offsets = self.offsets()?;
         let Self { bodies, contact, laws, state, contact_start, placement, yielding, .. } = self;
         placement.place(bodies, &contact.form_gap, offsets)?;

@@ -14,7 +14,8 @@ const MIDDLE: f64 = 0.25;
 impl MixedLubricationSim {
     /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a`, where `a` is
     /// the Hertz half-width along y under the largest load of the schedule: the width is the same in all steps. Cells
-    /// are weighted by their part within the track. The mean does not depend on the box.
+    /// are weighted by their part within the track. The mean does not depend on the box. The track of a line contact is
+    /// the whole width.
     ///
     /// # Errors
     /// A field whose length differs from the grid.
@@ -52,7 +53,8 @@ impl MixedLubricationSim {
     /// The worn scars of ball and disc, whose surfaces move at `speeds` \[m/s\].
     ///
     /// The profile across the track is the mean along x; of a body whose points stay in the contact it is the mean over
-    /// the middle quarter of the Hertz contact along x. The profile of a cylinder at rest is that along x.
+    /// the middle quarter of the Hertz contact along x. The profile of a cylinder at rest is that along x, of a strip the
+    /// mean over its rows.
     pub(in crate::sim) fn scars(&self, speeds: [f64; 2]) -> [Scar; 2] {
         let grid = &self.contact.grid;
         let (nx, is_line) = (grid.nx(), !grid.has_side_edges());
@@ -61,7 +63,8 @@ impl MixedLubricationSim {
             let (wear, motion) = (self.bodies[body].wear(), self.surface_motion.motion.as_ref());
             let stays = exposure::visits(motion, speeds[body]) == PointRevisit::Permanent;
             if is_line && stays {
-                return Scar::of_profile(nx, grid.dx(), |i| wear[i]);
+                let rows = grid.ny() as f64;
+                return Scar::of_profile(nx, grid.dx(), |i| wear[i..].iter().step_by(nx).sum::<f64>() / rows);
             }
             let counts = |i: &usize| !stays || grid.x(*i).abs() <= middle;
             let columns = (0..nx).filter(counts).count().max(1) as f64;
@@ -70,7 +73,8 @@ impl MixedLubricationSim {
                 worn.sum::<f64>() / columns
             };
             if is_line {
-                return Scar { width: None, depth: row(0) };
+                let depth = (0..grid.ny()).map(row).sum::<f64>() / grid.ny() as f64;
+                return Scar { width: None, depth };
             }
             Scar::of_profile(grid.ny(), grid.dy(), row)
         })

@@ -202,8 +202,7 @@ impl SimBuilder {
         self.scene = steady_scene(self.scene)?;
         self.motion = Some(Arc::new(Advected));
         self.squeeze = true;
-        let mut sim = self.build()?;
-        sim.takes_strips = true;
+        let sim = self.build()?;
         pitches::require_whole(sim.scene(), sim.grid().size_x())?;
         Ok(sim)
     }

@@ -54,10 +54,11 @@ pub(crate) struct Options {
         value_parser = |text: &str| output::count::<u32>("--points", text, 2..=1000)
     )]
     points: u32,
-    /// Number of random surfaces: rows are their means, with the standard deviation of a surface [default: the scene's own surface]
+    /// Number of random surfaces: rows are their means, with the standard deviation of a surface; 1 for that of the scene
+    /// [default: 4 for a strip without grid.y, else 1]
     #[arg(
         long, allow_hyphen_values = true,
-        value_parser = |text: &str| output::count::<u32>("--seeds", text, 2..=MOST_SURFACES)
+        value_parser = |text: &str| output::count::<u32>("--seeds", text, 1..=MOST_SURFACES)
     )]
     seeds: Option<u32>,
     /// Model of the mixed contacts
@@ -117,12 +118,13 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let values = axis::values(options, &scene, &start_conditions)?;
     let scenes =
         surfaces::scenes(&scene, options.seeds).map_err(|error| output::in_scene(&options.scene, &error))?;
+    let is_sample = scenes.len() > 1;
     options.report.claim(&options.scene, options.output.force)?;
     let name = format!("{}_{}", output::stem(&options.scene), options.over.file_ending());
     let solves = values.len() * scenes.len();
     let held = announced(options, &scene, &start_conditions, solves)
         .map_err(|error| output::in_scene(&options.scene, &error))?;
-    let mut curve = Curve::begin(options, &scene, &name, solves)?;
+    let mut curve = Curve::begin(options, &scene, &name, (solves, is_sample))?;
     curve.warnings = held.warnings();
     interrupt::listen("the curve ends here and keeps its finished contacts")?;
     let ended = curve.solve(&scenes, (start_conditions, &values), &held);
@@ -177,7 +179,12 @@ fn announced(
 
 impl<'a> Curve<'a> {
     /// Opens the table and checks that the pictures can be written.
-    fn begin(options: &'a Options, scene: &Scene, name: &str, solves: usize) -> Result<Self, Box<dyn Error>> {
+    fn begin(
+        options: &'a Options,
+        scene: &Scene,
+        name: &str,
+        (solves, is_sample): (usize, bool),
+    ) -> Result<Self, Box<dyn Error>> {
         let out = &options.output.out;
         let path = out.join(format!("{name}.csv"));
         let mut targets = vec![path.clone()];
@@ -191,12 +198,12 @@ impl<'a> Curve<'a> {
             || scene.solver.accuracy.is_some()
             || matches!(scene.grid, GridSpec::Accuracy { .. });
         let (over, line) = (options.over, scene.form.is_line());
-        let columns = Columns { over, line, errors: has_errors, spread: options.seeds.is_some() };
+        let columns = Columns { over, line, errors: has_errors, spread: is_sample };
         let file = File::create(&path).map_err(|error| files::named(&path, &error))?;
         let style = "{wide_bar} {pos} of {len} solves, {eta} left";
         let bar = ProgressBar::new(solves as u64).with_style(ProgressStyle::with_template(style)?);
         let said = scene.warnings().into_iter().map(|warning| warning.field).collect();
-        let remarks = options.seeds.is_none() && surfaces::is_random(scene);
+        let remarks = !is_sample && options.seeds.is_none() && surfaces::is_random(scene);
         let (csv, rows, resolved, points) = ((path, file), Vec::new(), Vec::new(), Vec::new());
         let (plan, starts) = (Plan::new(options.model, scene), Starts::default());
         let is_complete = true;

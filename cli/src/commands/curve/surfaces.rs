@@ -2,21 +2,25 @@
 
 use stribeck::InputError;
 use stribeck::sim::ContactSolution;
-use stribeck::sim::scene::{Roughness, Scene};
+use stribeck::sim::scene::{GridSpec, Roughness, Scene};
 
 /// Difference of the seeds of one surface and the next.
 const STRIDE: u64 = 1000;
 /// Shares of the load on solids between which a contact is mixed.
 const MIXED: std::ops::RangeInclusive<f64> = 0.02..=0.98;
 
-/// The scene with so many random surfaces: its own and others whose seeds are 1000, 2000, ... larger; the
-/// scene alone without a number.
+/// Surfaces of a strip of the default width, one sample of which scatters.
+const OF_STRIPS: u32 = 4;
+
+/// The scene with so many random surfaces: its own and others whose seeds are 1000, 2000, ... larger. Without a number
+/// the scene alone, or four surfaces of a strip whose width is the default of its roughness.
 ///
 /// # Errors
 /// A scene without a random surface.
 pub(super) fn scenes(scene: &Scene, seeds: Option<u32>) -> Result<Vec<Scene>, InputError> {
-    let Some(seeds) = seeds else { return Ok(vec![scene.clone()]) };
-    if !is_random(scene) {
+    let has_default_width = matches!(scene.grid, GridSpec::Strip { y: None, .. });
+    let seeds = seeds.unwrap_or(if has_default_width && is_random(scene) { OF_STRIPS } else { 1 });
+    if seeds > 1 && !is_random(scene) {
         return Err(InputError::Conflict {
             field: format!("--seeds = {seeds}"),
             reason:
