@@ -178,6 +178,8 @@ impl FilmTemperature {
         let conducted = self.flash.fluxes().map(|flux| flux.iter().sum::<f64>() * area);
         Ok(HeatBalance { generated: generated * area, conducted, carried: carried * area, passes, change })
     }
+
+    /// Heat of pressure flow, layer flows, resistances and compression, which do not depend on the surface
     /// temperature.
     fn find_other_heat(&mut self, flow: &FilmFlow<'_>) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
@@ -237,46 +239,56 @@ impl FilmTemperature {
     /// Film temperatures under the current surface temperatures; returns generated and advected heat per
     /// area, summed over the nodes.
     fn heat_film(&mut self, flow: &FilmFlow<'_>) -> (f64, f64) {
-        let (sliding, law) = (flow.speeds.1, Saturating::new(flow.lubricant.viscosity()));
+        let law = Saturating::new(flow.lubricant.viscosity());
         // Upper bound of the surface response: the ratio of the largest rise to the largest heat.
         let hottest = self.rises.iter().flatten().fold(0.0_f64, |largest, rise| largest.max(*rise));
         let most = hottest / self.heat.iter().fold(f64::MIN_POSITIVE, |largest, heat| largest.max(*heat));
-        let (mut generated, mut carried) = (0.0, 0.0);
-        for k in 0..self.grid.len() {
-            let film = flow.film_at(k);
-            let rises = [self.rises[0][k], self.rises[1][k]];
-            let mean_rise = 0.5 * (rises[0] + rises[1]);
-            let response = if self.heat[k] > 0.0 { (mean_rise / self.heat[k]).clamp(0.0, most) } else { 0.0 };
-            let compression: [f64; POINTS] =
-                std::array::from_fn(|i| self.compression[k] * self.flows[k][i] * self.layers[k][i]);
-            let [entrained, through] = flow.through(k, self.grid.nx());
-            let backflow = if film > 0.0 { self.sliding_sign * (entrained - through) / film } else { 0.0 };
-            let section = FilmSection {
-                viscosity: &law,
-                rheology: flow.rheology,
-                conductivity: self.properties.conductivity,
-                pressure: flow.pressure[k],
-                film,
-                theta: flow.theta[k],
-                sliding,
-                surfaces: rises.map(|rise| flow.bulk_temperature + rise),
-                response: (response, self.conducted[k]),
-                pressure_heat: self.pressure_heat[k],
-                compression,
-                advection: self.advection(flow, k),
-                backflow,
-            };
-            let heat = self.solver.solve_from(&section, self.fluidity[k]);
-            self.moved = self.moved.max((heat.mean - self.mean[k]).abs());
-            (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
-            self.flow_temperature[k] = heat.flow_temperature;
-            (self.layers[k], self.fluidity[k]) = (heat.layers, heat.fluidity);
-            self.flows[k] = self.layer_flow(flow, k);
-            generated += heat.stress * sliding + self.pressure_heat[k] + self.solver.mean(&compression);
-            generated += flow.boundary_heat[k];
-            carried += heat.carried;
+        // nodes with reversed layers against the flow, then all nodes along it
+        for k in (0..self.grid.len()).rev() {
+            if self.flows[k].iter().any(|layer| *layer < 0.0) {
+                let _ = self.heat_node(flow, &law, most, k);
+            }
         }
-        (generated, carried)
+        (0..self.grid.len()).fold((0.0, 0.0), |(generated, carried), k| {
+            let (made, taken) = self.heat_node(flow, &law, most, k);
+            (generated + made + flow.boundary_heat[k], carried + taken)
+        })
+    }
+
+    /// Film temperatures of node `k`, with at most the surface response `most`; returns the heat that its film generates
+    /// and that it advects per area.
+    fn heat_node(&mut self, flow: &FilmFlow<'_>, law: &Saturating<'_>, most: f64, k: usize) -> (f64, f64) {
+        let (film, sliding) = (flow.film_at(k), flow.speeds.1);
+        let rises = [self.rises[0][k], self.rises[1][k]];
+        let mean_rise = 0.5 * (rises[0] + rises[1]);
+        let response = if self.heat[k] > 0.0 { (mean_rise / self.heat[k]).clamp(0.0, most) } else { 0.0 };
+        let compression: [f64; POINTS] =
+            std::array::from_fn(|i| self.compression[k] * self.flows[k][i] * self.layers[k][i]);
+        let [entrained, through] = flow.through(k, self.grid.nx());
+        let backflow = if film > 0.0 { self.sliding_sign * (entrained - through) / film } else { 0.0 };
+        let section = FilmSection {
+            viscosity: law,
+            rheology: flow.rheology,
+            conductivity: self.properties.conductivity,
+            pressure: flow.pressure[k],
+            film,
+            theta: flow.theta[k],
+            sliding,
+            surfaces: rises.map(|rise| flow.bulk_temperature + rise),
+            response: (response, self.heat[k] - flow.boundary_heat[k]),
+            pressure_heat: self.pressure_heat[k],
+            compression,
+            advection: self.advection(flow, k),
+            backflow,
+        };
+        let heat = self.solver.solve_from(&section, self.fluidity[k]);
+        self.moved = self.moved.max((heat.mean - self.mean[k]).abs());
+        (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
+        self.flow_temperature[k] = heat.flow_temperature;
+        (self.layers[k], self.fluidity[k]) = (heat.layers, heat.fluidity);
+        self.flows[k] = self.layer_flow(flow, k);
+        let generated = heat.stress * sliding + self.pressure_heat[k] + self.solver.mean(&compression);
+        (generated, heat.carried)
     }
 }
 
