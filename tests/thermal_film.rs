@@ -67,7 +67,6 @@ fn section<'a>(viscosity: &'a dyn ViscosityLaw, rheology: &'a Rheology) -> FilmS
         pressure_heat: 0.0,
         compression: [0.0; 8],
         advection: LayerAdvection::uniform(0.0, 300.0),
-        backflow: 0.0,
     }
 }
 

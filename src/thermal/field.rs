@@ -22,8 +22,8 @@ const LEAST_CHANGE: f64 = 1e-9;
 ///
 /// Each node is a [`FilmSection`] of eight layers. Each layer carries its own heat along x, first-order upwind: the
 /// layers in the middle of an inlet turn back and are the hot ones. The flow through the section is that of the solved
-/// contact, entrainment less pressure backflow, since it is the small difference of both in an inlet; it has the velocity
-/// profile of the local viscosities. The change of this profile along x moves heat from layer to layer.
+/// contact, entrainment less pressure backflow, since it is the small difference of both in an inlet. The velocity profile
+/// is that of a uniform viscosity; its change along x moves heat from layer to layer.
 ///
 /// Heat conducted to the surfaces raises their temperature by [`FlashTemperature::rises_through_film`]. Film
 /// and surfaces are solved in alternating passes, in which the surface temperature of a node responds in
@@ -48,7 +48,7 @@ pub struct FilmTemperature {
     flows: Vec<[f64; POINTS]>,
     /// Temperatures of the layers \[K\].
     layers: Vec<[f64; POINTS]>,
-    /// Fluidities of the layers over their mean.
+    /// Fluidities of the layers over their mean, the first estimates of the next pass.
     fluidity: Vec<[f64; POINTS]>,
     /// Sign of the sliding of the second surface against the first.
     sliding_sign: f64,
@@ -220,7 +220,7 @@ impl FilmTemperature {
         let (speed, sliding) = flow.speeds;
         let skew = if speed > 0.0 { self.sliding_sign * sliding / speed } else { 0.0 };
         let entrained = entrained.max(0.0);
-        self.solver.velocity(&self.fluidity[k], [entrained, entrained * skew, entrained - through])
+        self.solver.velocity([entrained, entrained * skew, entrained - through])
     }
 
     /// Advection in the layers of node `k`.
@@ -233,7 +233,7 @@ impl FilmTemperature {
         let upstream = if is_first { &bulk } else { &self.layers[before] };
         // Inflow from behind the box has the temperature of the outflow.
         let downstream = if is_last { upstream } else { &self.layers[after] };
-        self.solver.advection(per_flow, [before, k, after].map(|at| &self.flows[at]), upstream, downstream)
+        self.solver.advection(per_flow, [before, k, after].map(|at| &self.flows[at]), [upstream, downstream])
     }
 
     /// Film temperatures under the current surface temperatures; returns generated and advected heat per
@@ -264,8 +264,6 @@ impl FilmTemperature {
         let response = if self.heat[k] > 0.0 { (mean_rise / self.heat[k]).clamp(0.0, most) } else { 0.0 };
         let compression: [f64; POINTS] =
             std::array::from_fn(|i| self.compression[k] * self.flows[k][i] * self.layers[k][i]);
-        let [entrained, through] = flow.through(k, self.grid.nx());
-        let backflow = if film > 0.0 { self.sliding_sign * (entrained - through) / film } else { 0.0 };
         let section = FilmSection {
             viscosity: law,
             rheology: flow.rheology,
@@ -279,14 +277,12 @@ impl FilmTemperature {
             pressure_heat: self.pressure_heat[k],
             compression,
             advection: self.advection(flow, k),
-            backflow,
         };
-        let heat = self.solver.solve_from(&section, self.fluidity[k]);
+        let heat = self.solver.solve_from(&section, &mut self.fluidity[k]);
         self.moved = self.moved.max((heat.mean - self.mean[k]).abs());
         (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
         self.flow_temperature[k] = heat.flow_temperature;
-        (self.layers[k], self.fluidity[k]) = (heat.layers, heat.fluidity);
-        self.flows[k] = self.layer_flow(flow, k);
+        self.layers[k] = heat.layers;
         let generated = heat.stress * sliding + self.pressure_heat[k] + self.solver.mean(&compression);
         (generated, heat.carried)
     }

@@ -26,10 +26,9 @@ pub enum FilmProfile {
 ///
 /// `k d2T/dz2 + tau du/dz + s = 0`, `T = T_1, T_2` at the surfaces, `integral of du/dz = u_s`,
 ///
-/// with `du/dz = F(tau)/eta(p, T)` of the rheology. The remaining heat `s` is that of the pressure flow, in total `q_p`,
-/// and that of compression, less the heat that the layers [advect](LayerAdvection). Pressure flow has the shear stress
-/// `g (z - z_0)`; its heat is `q_p` times the normalized `(z - z_0)^2/eta`, and that of its shear rate under `tau`, which
-/// has the mean zero. For a uniform viscosity without advection the mean across the film is
+/// with `du/dz = F(tau)/eta(p, T)` of the rheology. The remaining heat `s` is that of the pressure flow (in total `q_p`,
+/// proportional to the square of the distance from the midplane) and that of compression, less the heat that the layers
+/// [advect](LayerAdvection). For a uniform viscosity without advection the mean across the film is
 ///
 /// `T_m = (T_1 + T_2)/2 + h/(12 k) (tau u_s + q_c) + h/(20 k) q_p`.
 ///
@@ -60,9 +59,6 @@ pub struct FilmSection<'a> {
     pub compression: [f64; POINTS],
     /// Heat that the layers lose by advection.
     pub advection: LayerAdvection,
-    /// Mean speed of the backflow that pressure causes \[m/s\], positive if it opposes the motion of the surface at
-    /// `z = 1` against that at `z = 0`.
-    pub backflow: f64,
 }
 
 /// Result of [`SectionSolver::solve`](super::SectionSolver::solve).
@@ -84,8 +80,6 @@ pub struct FilmHeat {
     pub carried: f64,
     /// Temperatures of the layers \[K\].
     pub layers: [f64; POINTS],
-    /// Fluidity of the layers over its mean; 1 with [`FilmProfile::Parabola`].
-    pub fluidity: [f64; POINTS],
 }
 
 impl FilmSection<'_> {

@@ -4,7 +4,7 @@ use super::advection::LayerAdvection;
 use super::collocation::{Collocation, POINTS};
 use super::film_section::{FilmHeat, FilmProfile, FilmSection};
 use super::layers::LayerResponse;
-use super::velocity::ShearRates;
+use super::velocity::velocity;
 
 /// Relative tolerance of the shear heat.
 const TOLERANCE: f64 = 1e-10;
@@ -24,7 +24,7 @@ const SHAPE_TOLERANCE: f64 = 1e-11;
 /// let section = FilmSection {
 ///     viscosity: &Barus::new(0.1, 20e-9)?, rheology: &Rheology::newtonian(), conductivity: 0.14, pressure: 0.0,
 ///     film: 1e-6, theta: 1.0, sliding: 1.0, surfaces: [300.0; 2], response: (0.0, 0.0), pressure_heat: 0.0,
-///     compression: [0.0; 8], advection: LayerAdvection::uniform(0.0, 300.0), backflow: 0.0,
+///     compression: [0.0; 8], advection: LayerAdvection::uniform(0.0, 300.0),
 /// };
 /// let heat = SectionSolver::new(FilmProfile::Parabola).solve(&section);
 /// assert!((heat.mean - 300.0 - 0.1 / (12.0 * 0.14)).abs() < 1e-9);
@@ -61,32 +61,23 @@ impl SectionSolver {
     /// unique.
     #[must_use]
     pub fn solve(&self, section: &FilmSection<'_>) -> FilmHeat {
-        self.solve_from(section, [1.0; POINTS])
+        self.solve_from(section, &mut [1.0; POINTS])
     }
 
-    /// The same from a first estimate of the relative fluidity of the layers.
-    pub(super) fn solve_from(&self, section: &FilmSection<'_>, mut fluidity: [f64; POINTS]) -> FilmHeat {
+    /// The same from the `fluidity` of the layers over its mean, which becomes that of the solution.
+    pub(super) fn solve_from(&self, section: &FilmSection<'_>, fluidity: &mut [f64; POINTS]) -> FilmHeat {
         let FilmSection { film, conductivity, surfaces, response, advection, .. } = section;
         let layers = LayerResponse::new(&self.rule, film / conductivity, *surfaces, *response, advection);
-        let mut trial = self.trial(section, &layers, 0.0, &mut fluidity);
+        let mut trial = self.trial(section, &layers, 0.0, fluidity);
         let mut heat = trial.stress * section.sliding;
         if heat > 0.0 {
-            (heat, trial) = self.find(section, &layers, heat, &mut fluidity);
+            (heat, trial) = self.find(section, &layers, heat, fluidity);
         }
         let Trial { temperature, stress, flow_viscosity, conducted } = trial;
         let mean = self.rule.mean(&temperature);
         let flow_temperature = section.temperature_of(flow_viscosity, mean);
         let carried = heat + section.pressure_heat + self.rule.mean(&section.compression) - conducted;
-        FilmHeat {
-            mean,
-            stress,
-            flow_viscosity,
-            flow_temperature,
-            conducted,
-            carried,
-            layers: temperature,
-            fluidity,
-        }
+        FilmHeat { mean, stress, flow_viscosity, flow_temperature, conducted, carried, layers: temperature }
     }
 
     /// Mean across the film.
@@ -94,32 +85,26 @@ impl SectionSolver {
         self.rule.mean(layers)
     }
 
-    /// See [`ShearRates::velocity`].
-    pub(super) fn velocity(&self, fluidity: &[f64; POINTS], parts: [f64; 3]) -> [f64; POINTS] {
-        ShearRates::new(&self.rule, fluidity).velocity(&self.rule, parts)
+    /// See [`velocity`].
+    pub(super) fn velocity(&self, parts: [f64; 3]) -> [f64; POINTS] {
+        velocity(&self.rule, parts)
     }
 
-    /// See [`LayerAdvection::between`], with the heat capacity per flow `per_flow`.
+    /// See [`LayerAdvection::between`].
     pub(super) fn advection(
         &self,
         per_flow: f64,
         flows: [&[f64; POINTS]; 3],
-        before: &[f64; POINTS],
-        after: &[f64; POINTS],
+        neighbours: [&[f64; POINTS]; 2],
     ) -> LayerAdvection {
-        LayerAdvection::between(&self.rule, per_flow, flows, [before, after])
+        LayerAdvection::between(&self.rule, per_flow, flows, neighbours)
     }
 
-    /// Heat of the layers with the shear heat `heat`.
+    /// Heat of the layers, with the shear heat `heat` distributed as the `fluidity`.
     fn sources(&self, section: &FilmSection<'_>, heat: f64, fluidity: &[f64; POINTS]) -> [f64; POINTS] {
-        let rates = ShearRates::new(&self.rule, fluidity);
-        // Shear stress of sliding times the shear rate of pressure flow and the reverse.
-        let both = if section.sliding > 0.0 { 2.0 * heat / section.sliding * section.backflow } else { 0.0 };
         std::array::from_fn(|i| {
-            heat * rates.sliding[i]
-                + section.pressure_heat * rates.heat[i]
-                + both * rates.pressure[i]
-                + section.compression[i]
+            let driven = 12.0 * (self.rule.nodes[i] - 0.5).powi(2) * section.pressure_heat;
+            heat * fluidity[i] + driven + section.compression[i]
         })
     }
 
