@@ -129,7 +129,7 @@ fn sliding(effort: Effort) -> Outcome<Vec<Number>> {
         .map(|[ratio, loading, own]| {
             let found = reduction(Form::Cylinder { radius: RADIUS }, [*ratio, *loading])?;
             let (group, bound) = if *ratio < 1.0 {
-                ("sliding line, slide-roll ratio 0.5: independent solution", 0.025)
+                ("sliding line, slide-roll ratio 0.5: independent solution", 0.04)
             } else {
                 ("sliding line, slide-roll ratio 1: independent solution", 0.05)
             };
@@ -143,14 +143,14 @@ pub(crate) fn row(effort: Effort) -> Outcome<Row> {
     let mut numbers = Vec::new();
     for [loading, own, found, murch, integral, gupta] in &found {
         let case = |name: &str| format!("L {loading}, {name}").replace(',', ";");
-        numbers.push(Number::absolute("line: independent solution", case("steel"), "", *own, *found, 0.03));
+        numbers.push(Number::absolute("line: independent solution", case("steel"), "", *own, *found, 0.01));
         numbers.push(Number::absolute(
             "line: Murch and Wilson (1975)",
             case("fit"),
             "",
             *murch,
             *found,
-            0.06,
+            0.03,
         ));
         numbers.push(Number::absolute(
             "line: Greenwood and Kauzlarich (1973)",
@@ -158,9 +158,9 @@ pub(crate) fn row(effort: Effort) -> Outcome<Row> {
             "",
             *integral,
             *found,
-            0.08,
+            0.03,
         ));
-        numbers.push(Number::absolute("line: Gupta et al. (1992)", case("fit"), "", *gupta, *found, 0.08));
+        numbers.push(Number::absolute("line: Gupta et al. (1992)", case("fit"), "", *gupta, *found, 0.04));
     }
     numbers.extend(sliding(effort)?);
     let ellipses: &[f64] = if effort.is_full() { &[1.0, 3.0, 10.0] } else { &[1.0] };
