@@ -122,6 +122,19 @@ fn figure(found: &[[f64; 6]]) -> Figure {
     }
 }
 
+/// The rolling lines, one a line.
+fn table(found: &[[f64; 6]]) -> String {
+    let mut text = String::from(
+        "\n| rolling line, L | independent solution | stribeck | Murch and Wilson | Greenwood and Kauzlarich | Gupta et al. |\n\
+         |---|---|---|---|---|---|\n",
+    );
+    for [loading, rest @ ..] in found {
+        let films: Vec<String> = rest.iter().map(|film| format!("{film:.3}")).collect();
+        text += &format!("| {loading} | {} |\n", films.join(" | "));
+    }
+    text
+}
+
 /// Sliding lines beside the independent solution.
 fn sliding(effort: Effort) -> Outcome<Vec<Number>> {
     let cases = if effort.is_full() { &SLIDING[..] } else { &SLIDING[1..2] };
@@ -188,7 +201,7 @@ pub(crate) fn row(effort: Effort) -> Outcome<Row> {
         reference: "independent computation of the line contact; fits of Murch and Wilson, Greenwood and Kauzlarich, Gupta et al.",
         range: "1 GPa, L 0.1 to 5, pure rolling; lines at slide-roll ratios 0.5 and 1",
         numbers,
-        extra: String::new(),
+        extra: table(&found),
         figures: vec![("inlet_heat", figure(&found))],
     })
 }
