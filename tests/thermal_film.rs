@@ -12,7 +12,7 @@ use stribeck::reynolds::{
 use stribeck::sim::scene::{GridSpec, InletSpec};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
-use stribeck::thermal::{FilmProfile, FilmSection, FilmThermal, SectionSolver};
+use stribeck::thermal::{FilmProfile, FilmSection, FilmThermal, LayerAdvection, SectionSolver};
 use stribeck::tribochem::{FlashTemperature, ThermalBody};
 
 use crate::common::free_volume::FREE_VOLUME;
@@ -64,9 +64,9 @@ fn section<'a>(viscosity: &'a dyn ViscosityLaw, rheology: &'a Rheology) -> FilmS
         sliding: 2.0,
         surfaces: [300.0; 2],
         response: (0.0, 0.0),
-        other_heat: (0.0, 0.0),
-        carried: (0.0, 300.0),
-        velocity: [1.0, 0.0, 0.0],
+        pressure_heat: 0.0,
+        compression: [0.0; 8],
+        advection: LayerAdvection::uniform(0.0, 300.0),
     }
 }
 
@@ -106,13 +106,15 @@ fn conduction_at_uniform_viscosity_is_exact() {
         let found = solver.solve(&FilmSection { surfaces: [300.0, 310.0], ..plain });
         assert!((found.mean - 305.0 - heat * per_flux / 12.0).abs() < 1e-9);
         assert!((found.conducted / heat - 1.0).abs() < 1e-12);
-        let found = solver.solve(&FilmSection { other_heat: (1e6, -2e5), ..plain });
+        let found = solver.solve(&FilmSection { pressure_heat: 1e6, compression: [-2e5; 8], ..plain });
         let exact = per_flux * ((heat - 2e5) / 12.0 + 1e6 / 20.0);
         assert!((found.mean - 300.0 - exact).abs() < 1e-9, "{found:?}, {exact}");
         assert!((found.flow_viscosity / 0.1 - 1.0).abs() < 1e-12);
-        let found = solver.solve(&FilmSection { carried: (1e6, 299.0), ..plain });
-        let exact = (heat * per_flux / 12.0 - 1e6 * per_flux / 12.0) / (1.0 + 1e6 * per_flux / 12.0);
-        assert!((found.mean - 300.0 - exact).abs() < 1e-9, "{found:?}, {exact}");
+        // d2T/dz2 = m^2 (T - T_a) - q h/k with m^2 = c h/k: a hyperbolic cosine.
+        let found = solver.solve(&FilmSection { advection: LayerAdvection::uniform(1e6, 299.0), ..plain });
+        let (root, balanced) = ((1e6 * per_flux).sqrt(), 299.0 + heat / 1e6);
+        let exact = balanced + (300.0 - balanced) * (0.5 * root).tanh() / (0.5 * root);
+        assert!((found.mean - exact).abs() < 1e-9, "{found:?}, {exact}");
         assert!((found.conducted + found.carried - heat).abs() < 1e-9 * heat);
         // Surface temperatures proportional to the heat.
         let found = solver.solve(&FilmSection { response: (2e-6, 0.0), ..plain });

@@ -12,8 +12,11 @@ const MAX_STEPS: usize = 50;
 pub(super) struct Collocation {
     pub(super) nodes: [f64; POINTS],
     pub(super) weights: [f64; POINTS],
-    pub(super) green: [[f64; POINTS]; POINTS],
+    pub(super) green: Square,
 }
+
+/// A matrix of the collocation points.
+pub(super) type Square = [[f64; POINTS]; POINTS];
 
 impl Collocation {
     pub(super) fn new() -> Self {
@@ -30,13 +33,6 @@ impl Collocation {
             }
         }
         Self { nodes, weights, green }
-    }
-
-    /// Adds `factor` times the weights of the collocation points in the value at `z` of the polynomial through them.
-    pub(super) fn add_interpolation(&self, z: f64, factor: f64, weights: &mut [f64; POINTS]) {
-        for (j, weight) in weights.iter_mut().enumerate() {
-            *weight += factor * lagrange(&self.nodes, j, z);
-        }
     }
 
     /// Mean across the film.

@@ -1,7 +1,8 @@
 //! The film temperature in a contact.
 
+use super::advection::LayerAdvection;
+use super::collocation::POINTS;
 use super::film_flow::{FilmFlow, HeatBalance};
-use super::streams::Streams;
 use super::{FilmSection, FilmThermal, SectionSolver};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -19,20 +20,18 @@ const LEAST_CHANGE: f64 = 1e-9;
 
 /// Temperatures of film and surfaces in a contact.
 ///
-/// Each node is a [`FilmSection`]. Sections of a row are coupled by two advecting streams,
-/// `C = rho c (Q+ + Q-) / dx`, first-order upwind: forward flow `Q+` brings the temperature of the layers that move
-/// forward at the upstream node, reverse flow `Q-` that of the layers that move backward at the downstream node.
-/// Reverse flow turns in the hot middle of the film. `Q+ - Q-` is the flow through the section,
-/// entrainment less pressure backflow. In an inlet it is a small difference, so both must be those of the
-/// solved contact. The streams are those of a film of uniform viscosity.
+/// Each node is a [`FilmSection`] of eight layers. Each layer carries its own heat along x, first-order upwind: the
+/// layers in the middle of an inlet turn back and are the hot ones. The flow through the section is that of the solved
+/// contact, entrainment less pressure backflow, since it is the small difference of both in an inlet. The velocity profile
+/// is that of a uniform viscosity; its change along x moves heat from layer to layer.
 ///
 /// Heat conducted to the surfaces raises their temperature by [`FlashTemperature::rises_through_film`]. Film
 /// and surfaces are solved in alternating passes, in which the surface temperature of a node responds in
 /// proportion to its heat.
 ///
 /// The heat of pressure flow is the flow through a face times the pressure drop, half to each of its nodes.
-/// The heat of compression is `T a_V Q dp/dx`. Not included: conduction along the film and advection by flow
-/// across x. Advection cools all layers of a section alike.
+/// The heat of compression is `T a_V Q dp/dx` in each layer. Not included: conduction along the film and advection by
+/// flow along y.
 #[derive(Debug, Clone)]
 pub struct FilmTemperature {
     /// The grid of the contact.
@@ -45,10 +44,12 @@ pub struct FilmTemperature {
     flash: FlashTemperature,
     /// Mean temperature across the film \[K\].
     mean: Vec<f64>,
-    /// Forward and reverse flow through each node.
-    flows: Vec<Streams>,
-    /// Temperatures of the layers that move forward and of those that move backward \[K\].
-    streams: [Vec<f64>; 2],
+    /// Flow of the layers along x \[m^2/s\]; their mean is the flow through the node.
+    flows: Vec<[f64; POINTS]>,
+    /// Temperatures of the layers \[K\].
+    layers: Vec<[f64; POINTS]>,
+    /// Fluidities of the layers over their mean, the first estimates of the next pass.
+    fluidity: Vec<[f64; POINTS]>,
     /// Sign of the sliding of the second surface against the first.
     sliding_sign: f64,
     /// Shear stress of the fluid \[Pa\].
@@ -67,7 +68,7 @@ pub struct FilmTemperature {
     resistance: Vec<f64>,
     /// Heat of the pressure flow \[W/m^2\].
     pressure_heat: Vec<f64>,
-    /// Heat of compression per temperature \[W/(m^2 K)\].
+    /// Heat of compression per temperature and flow \[J/(m^3 K) over m\].
     compression: Vec<f64>,
     /// Whether the next call starts from the bulk temperature.
     is_cool: bool,
@@ -94,8 +95,9 @@ impl FilmTemperature {
             solver: SectionSolver::new(properties.profile),
             flash: FlashTemperature::new(grid, bodies, speeds)?,
             mean: zeros(),
-            flows: vec![Streams { along: 0.0, back: 0.0 }; grid.len()],
-            streams: [zeros(), zeros()],
+            flows: vec![[0.0; POINTS]; grid.len()],
+            layers: vec![[0.0; POINTS]; grid.len()],
+            fluidity: vec![[1.0; POINTS]; grid.len()],
             sliding_sign: if speeds[1] < speeds[0] { -1.0 } else { 1.0 },
             stress: zeros(),
             flow_temperature: zeros(),
@@ -132,6 +134,7 @@ impl FilmTemperature {
         for field in [first, second, &mut self.conducted, &mut self.heat] {
             field.fill(0.0);
         }
+        self.fluidity.fill([1.0; POINTS]);
         self.is_cool = true;
     }
 
@@ -149,10 +152,8 @@ impl FilmTemperature {
         flow.validate(&self.grid)?;
         self.find_other_heat(flow);
         if self.is_cool {
-            let [forward, backward] = &mut self.streams;
-            for field in [&mut self.mean, forward, backward] {
-                field.fill(flow.bulk_temperature);
-            }
+            self.mean.fill(flow.bulk_temperature);
+            self.layers.fill([flow.bulk_temperature; POINTS]);
             self.is_cool = false;
         }
         let (mut passes, mut change) = (0, f64::INFINITY);
@@ -177,6 +178,8 @@ impl FilmTemperature {
         let conducted = self.flash.fluxes().map(|flux| flux.iter().sum::<f64>() * area);
         Ok(HeatBalance { generated: generated * area, conducted, carried: carried * area, passes, change })
     }
+
+    /// Heat of pressure flow, layer flows, resistances and compression, which do not depend on the surface
     /// temperature.
     fn find_other_heat(&mut self, flow: &FilmFlow<'_>) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
@@ -195,11 +198,11 @@ impl FilmTemperature {
             if k + nx < n {
                 self.drive(flow, [k, k + nx], flow.flows.north[k] / (rows_to_next(k / nx) * dy));
             }
-            self.flows[k] = flow.streams(k, nx);
+            self.flows[k] = self.layer_flow(flow, k);
             self.resistance[k] = flow.film_at(k) / self.properties.conductivity;
             let (before, after) = (k - usize::from(k % nx > 0), k + usize::from(k % nx + 1 < nx));
             let rise = (flow.pressure[after] - flow.pressure[before]) / (after - before) as f64;
-            self.compression[k] = self.properties.expansivity * flow.flows.through[k] * rise / dx;
+            self.compression[k] = self.properties.expansivity * rise / dx;
         }
     }
 
@@ -211,73 +214,77 @@ impl FilmTemperature {
         self.pressure_heat[o] += 0.5 * made;
     }
 
-    /// Flow into node `k` along x by both streams \[m^2/s\], and its temperature \[K\].
-    fn inflow(&self, flow: &FilmFlow<'_>, k: usize) -> (f64, f64) {
-        let nx = self.grid.nx();
-        let own = self.flows[k];
-        let (along, upstream) = match k % nx {
-            0 => (own.along, flow.bulk_temperature),
-            _ => (self.flows[k - 1].along, self.streams[0][k - 1]),
-        };
-        // Inflow from behind the box has the temperature of the outflow.
-        let (back, downstream) = match k % nx + 1 {
-            last if last == nx => (own.back, upstream),
-            _ => (self.flows[k + 1].back, self.streams[1][k + 1]),
-        };
-        let both = along + back;
-        let share = if both > 0.0 { along / both } else { 1.0 };
-        (both, share * upstream + (1.0 - share) * downstream)
-    }
-
-    /// Velocity in the film of node `k`, see [`FilmSection::velocity`]; in units of the mean speed.
-    fn velocity(&self, flow: &FilmFlow<'_>, k: usize) -> [f64; 3] {
+    /// Flow of the layers of node `k` along x \[m^2/s\].
+    fn layer_flow(&self, flow: &FilmFlow<'_>, k: usize) -> [f64; POINTS] {
         let [entrained, through] = flow.through(k, self.grid.nx());
         let (speed, sliding) = flow.speeds;
-        if entrained > 0.0 && speed > 0.0 {
-            [1.0, self.sliding_sign * sliding / speed, 1.0 - through / entrained]
-        } else {
-            [0.0, 0.0, -through.signum()]
-        }
+        let skew = if speed > 0.0 { self.sliding_sign * sliding / speed } else { 0.0 };
+        let entrained = entrained.max(0.0);
+        self.solver.velocity([entrained, entrained * skew, entrained - through])
+    }
+
+    /// Advection in the layers of node `k`.
+    fn advection(&self, flow: &FilmFlow<'_>, k: usize) -> LayerAdvection {
+        let nx = self.grid.nx();
+        let bulk = [flow.bulk_temperature; POINTS];
+        let per_flow = self.properties.heat_capacity / self.grid.dx();
+        let (is_first, is_last) = (k % nx == 0, k % nx + 1 == nx);
+        let (before, after) = (if is_first { k } else { k - 1 }, if is_last { k } else { k + 1 });
+        let upstream = if is_first { &bulk } else { &self.layers[before] };
+        // Inflow from behind the box has the temperature of the outflow.
+        let downstream = if is_last { upstream } else { &self.layers[after] };
+        self.solver.advection(per_flow, [before, k, after].map(|at| &self.flows[at]), [upstream, downstream])
     }
 
     /// Film temperatures under the current surface temperatures; returns generated and advected heat per
     /// area, summed over the nodes.
     fn heat_film(&mut self, flow: &FilmFlow<'_>) -> (f64, f64) {
-        let (sliding, law) = (flow.speeds.1, Saturating::new(flow.lubricant.viscosity()));
-        let per_flow = self.properties.heat_capacity / self.grid.dx();
+        let law = Saturating::new(flow.lubricant.viscosity());
         // Upper bound of the surface response: the ratio of the largest rise to the largest heat.
         let hottest = self.rises.iter().flatten().fold(0.0_f64, |largest, rise| largest.max(*rise));
         let most = hottest / self.heat.iter().fold(f64::MIN_POSITIVE, |largest, heat| largest.max(*heat));
-        let (mut generated, mut carried) = (0.0, 0.0);
-        for k in 0..self.grid.len() {
-            let (both, around) = self.inflow(flow, k);
-            let film = flow.film_at(k);
-            let rises = [self.rises[0][k], self.rises[1][k]];
-            let mean_rise = 0.5 * (rises[0] + rises[1]);
-            let response = if self.heat[k] > 0.0 { (mean_rise / self.heat[k]).clamp(0.0, most) } else { 0.0 };
-            let other_heat = (self.pressure_heat[k], self.compression[k] * around);
-            let heat = self.solver.solve(&FilmSection {
-                viscosity: &law,
-                rheology: flow.rheology,
-                conductivity: self.properties.conductivity,
-                pressure: flow.pressure[k],
-                film,
-                theta: flow.theta[k],
-                sliding,
-                surfaces: rises.map(|rise| flow.bulk_temperature + rise),
-                response: (response, self.conducted[k]),
-                other_heat,
-                carried: (per_flow * both, around),
-                velocity: self.velocity(flow, k),
-            });
-            self.moved = self.moved.max((heat.mean - self.mean[k]).abs());
-            (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
-            self.flow_temperature[k] = heat.flow_temperature;
-            (self.streams[0][k], self.streams[1][k]) = (heat.streams[0], heat.streams[1]);
-            generated += heat.stress * sliding + other_heat.0 + other_heat.1 + flow.boundary_heat[k];
-            carried += heat.carried;
+        // nodes with reversed layers against the flow, then all nodes along it
+        for k in (0..self.grid.len()).rev() {
+            if self.flows[k].iter().any(|layer| *layer < 0.0) {
+                let _ = self.heat_node(flow, &law, most, k);
+            }
         }
-        (generated, carried)
+        (0..self.grid.len()).fold((0.0, 0.0), |(generated, carried), k| {
+            let (made, taken) = self.heat_node(flow, &law, most, k);
+            (generated + made + flow.boundary_heat[k], carried + taken)
+        })
+    }
+
+    /// Film temperatures of node `k`, with at most the surface response `most`; returns the heat that its film generates
+    /// and that it advects per area.
+    fn heat_node(&mut self, flow: &FilmFlow<'_>, law: &Saturating<'_>, most: f64, k: usize) -> (f64, f64) {
+        let (film, sliding) = (flow.film_at(k), flow.speeds.1);
+        let rises = [self.rises[0][k], self.rises[1][k]];
+        let mean_rise = 0.5 * (rises[0] + rises[1]);
+        let response = if self.heat[k] > 0.0 { (mean_rise / self.heat[k]).clamp(0.0, most) } else { 0.0 };
+        let compression: [f64; POINTS] =
+            std::array::from_fn(|i| self.compression[k] * self.flows[k][i] * self.layers[k][i]);
+        let section = FilmSection {
+            viscosity: law,
+            rheology: flow.rheology,
+            conductivity: self.properties.conductivity,
+            pressure: flow.pressure[k],
+            film,
+            theta: flow.theta[k],
+            sliding,
+            surfaces: rises.map(|rise| flow.bulk_temperature + rise),
+            response: (response, self.heat[k] - flow.boundary_heat[k]),
+            pressure_heat: self.pressure_heat[k],
+            compression,
+            advection: self.advection(flow, k),
+        };
+        let heat = self.solver.solve_from(&section, &mut self.fluidity[k]);
+        self.moved = self.moved.max((heat.mean - self.mean[k]).abs());
+        (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
+        self.flow_temperature[k] = heat.flow_temperature;
+        self.layers[k] = heat.layers;
+        let generated = heat.stress * sliding + self.pressure_heat[k] + self.solver.mean(&compression);
+        (generated, heat.carried)
     }
 }
 

@@ -1,6 +1,5 @@
 //! The heat problem of a solved contact: its input and the heat balance of its solution.
 
-use super::streams::Streams;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{Lubricant, Rheology};
@@ -41,13 +40,6 @@ impl FilmFlow<'_> {
         let before = if k.is_multiple_of(nx) { east[k] } else { east[k - 1] };
         let after = if k % nx + 1 < nx { east[k] } else { before };
         [through - 0.5 * (before + after), through]
-    }
-
-    /// Forward and reverse flow through node `k`, in a row of `nx`.
-    pub(super) fn streams(&self, k: usize, nx: usize) -> Streams {
-        let [entrained, through] = self.through(k, nx);
-        let (speed, sliding) = self.speeds;
-        Streams::new(entrained, through, if speed > 0.0 { sliding / speed } else { 0.0 })
     }
 
     /// Checks fields on `grid`, heats and speeds.

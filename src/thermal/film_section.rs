@@ -1,7 +1,7 @@
 //! The film at one node: its conditions, and its temperatures from the heat in it.
 
-use super::collocation::{Collocation, POINTS};
-use super::layers::Layers;
+use super::advection::LayerAdvection;
+use super::collocation::POINTS;
 use crate::lubricant::{Rheology, ViscosityLaw};
 
 /// Largest number of secant steps to the temperature of a viscosity, and the step at convergence \[K\].
@@ -22,16 +22,15 @@ pub enum FilmProfile {
 
 /// The film at one node and its heat sources.
 ///
-/// Across a film of thickness `h` under one shear stress `tau`
+/// Across a film of thickness `h` under one shear stress `tau` of sliding
 ///
 /// `k d2T/dz2 + tau du/dz + s = 0`, `T = T_1, T_2` at the surfaces, `integral of du/dz = u_s`,
 ///
-/// with `du/dz = F(tau)/eta(p, T)` of the rheology and the heat `s` independent of shear: dissipation of the
-/// pressure flow `q_p` (proportional to the square of the distance from the midplane), heat of compression
-/// `q_c`, less the advected heat `q_a = C (T_u - T_a)`, the last two uniform across the film. `T_u` is the mean
-/// across the film weighted by the magnitude of the velocity. For a uniform viscosity the mean across the film is
+/// with `du/dz = F(tau)/eta(p, T)` of the rheology. The remaining heat `s` is that of the pressure flow (in total `q_p`,
+/// proportional to the square of the distance from the midplane) and that of compression, less the heat that the layers
+/// [advect](LayerAdvection). For a uniform viscosity without advection the mean across the film is
 ///
-/// `T_m = (T_1 + T_2)/2 + h/(12 k) (tau u_s + q_c - q_a) + h/(20 k) q_p`.
+/// `T_m = (T_1 + T_2)/2 + h/(12 k) (tau u_s + q_c) + h/(20 k) q_p`.
 ///
 /// The surface temperatures may respond to the heat that leaves the film: `T_i + R (q - q_0)`.
 #[derive(Debug, Clone, Copy)]
@@ -54,12 +53,12 @@ pub struct FilmSection<'a> {
     pub surfaces: [f64; 2],
     /// Surface response `R` \[K m^2/W\] and reference heat flow `q_0` \[W/m^2\].
     pub response: (f64, f64),
-    /// Heat of the pressure flow `q_p` and of compression `q_c` \[W/m^2\].
-    pub other_heat: (f64, f64),
-    /// Advection: `C` \[W/(m^2 K)\] and the inflow temperature `T_a` \[K\].
-    pub carried: (f64, f64),
-    /// Velocity `v_0 + v_1 y - 6 v_2 (1/4 - y^2)` in the film, `y` from -1/2 at the first surface to 1/2; in any unit.
-    pub velocity: [f64; 3],
+    /// Heat of the pressure flow `q_p` \[W/m^2\].
+    pub pressure_heat: f64,
+    /// Heat of compression in the layers, with the mean `q_c` \[W/m^2\].
+    pub compression: [f64; POINTS],
+    /// Heat that the layers lose by advection.
+    pub advection: LayerAdvection,
 }
 
 /// Result of [`SectionSolver::solve`](super::SectionSolver::solve).
@@ -79,50 +78,11 @@ pub struct FilmHeat {
     pub conducted: f64,
     /// Heat advected by the flow \[W/m^2\].
     pub carried: f64,
-    /// Temperatures of the layers that move forward and of those that move backward, weighted by their velocity
-    /// \[K\].
-    pub streams: [f64; 2],
-}
-
-/// Rise of a film under uniform heat of one, in units of film over conductivity.
-pub(super) fn half_parabola(z: f64) -> f64 {
-    0.5 * z * (1.0 - z)
+    /// Temperatures of the layers \[K\].
+    pub layers: [f64; POINTS],
 }
 
 impl FilmSection<'_> {
-    /// Temperatures at the collocation points above those between the surfaces, without advection; `sheared(i)` is
-    /// the part of the shear heat in units of film over conductivity.
-    pub(super) fn uncarried(&self, rule: &Collocation, sheared: impl Fn(usize) -> f64) -> [f64; POINTS] {
-        let (by_pressure, by_compression) = self.other_heat;
-        std::array::from_fn(|i| {
-            let z = rule.nodes[i];
-            let driven = (0.0625 - (z - 0.5).powi(4)) * by_pressure;
-            self.film / self.conductivity * (sheared(i) + half_parabola(z) * by_compression + driven)
-        })
-    }
-
-    /// Temperatures at the collocation points and advected heat, from the rises without advection.
-    pub(super) fn close(
-        &self,
-        rule: &Collocation,
-        layers: &Layers,
-        heat: f64,
-        uncarried: &[f64; POINTS],
-    ) -> ([f64; POINTS], f64) {
-        let (by_pressure, by_compression) = self.other_heat;
-        let (response, before) = self.response;
-        let (capacity, inflow) = self.carried;
-        let follow = response * (heat + by_pressure + by_compression - before);
-        let [first, second] = self.surfaces;
-        let still: [f64; POINTS] =
-            std::array::from_fn(|i| first + rule.nodes[i] * (second - first) + follow + uncarried[i]);
-        // Advection lowers the film temperature and, through the response, that of the surfaces.
-        let resistance = rule.nodes.map(|z| self.film / self.conductivity * half_parabola(z) + response);
-        let mean = |values| Layers::mean(&layers.all, values);
-        let carried = capacity * (mean(&still) - inflow) / (1.0 + capacity * mean(&resistance));
-        (std::array::from_fn(|i| still[i] - resistance[i] * carried), carried)
-    }
-
     pub(super) fn viscosity_at(&self, temperature: f64) -> f64 {
         let law = self.viscosity;
         law.viscosity_at(self.pressure, temperature).unwrap_or_else(|| law.viscosity(self.pressure))

@@ -5,6 +5,7 @@
 //! one of two algorithms ([`FilmProfile`]). [`FilmTemperature`] is the temperature field of a contact:
 //! sections coupled by flow and surfaces.
 
+mod advection;
 mod collocation;
 mod field;
 mod film_flow;
@@ -12,8 +13,9 @@ mod film_section;
 mod layers;
 mod properties;
 mod section;
-mod streams;
+mod velocity;
 
+pub use advection::LayerAdvection;
 pub use field::FilmTemperature;
 pub use film_flow::{FilmFlow, HeatBalance};
 pub use film_section::{FilmHeat, FilmProfile, FilmSection};

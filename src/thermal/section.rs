@@ -1,8 +1,10 @@
 //! Solver of the film at one node: temperature profile, shear stress and viscosity.
 
+use super::advection::LayerAdvection;
 use super::collocation::{Collocation, POINTS};
-use super::film_section::{FilmHeat, FilmProfile, FilmSection, half_parabola};
-use super::layers::Layers;
+use super::film_section::{FilmHeat, FilmProfile, FilmSection};
+use super::layers::LayerResponse;
+use super::velocity::velocity;
 
 /// Relative tolerance of the shear heat.
 const TOLERANCE: f64 = 1e-10;
@@ -17,12 +19,12 @@ const SHAPE_TOLERANCE: f64 = 1e-11;
 ///
 /// ```
 /// use stribeck::lubricant::{Barus, Rheology};
-/// use stribeck::thermal::{FilmProfile, FilmSection, SectionSolver};
+/// use stribeck::thermal::{FilmProfile, FilmSection, LayerAdvection, SectionSolver};
 /// // Constant viscosity of 0.1 Pa s, sheared at 1 m/s over 1 um between surfaces at 300 K.
 /// let section = FilmSection {
 ///     viscosity: &Barus::new(0.1, 20e-9)?, rheology: &Rheology::newtonian(), conductivity: 0.14, pressure: 0.0,
-///     film: 1e-6, theta: 1.0, sliding: 1.0, surfaces: [300.0; 2], response: (0.0, 0.0), other_heat: (0.0, 0.0), carried: (0.0, 300.0),
-///     velocity: [1.0, 0.0, 0.0],
+///     film: 1e-6, theta: 1.0, sliding: 1.0, surfaces: [300.0; 2], response: (0.0, 0.0), pressure_heat: 0.0,
+///     compression: [0.0; 8], advection: LayerAdvection::uniform(0.0, 300.0),
 /// };
 /// let heat = SectionSolver::new(FilmProfile::Parabola).solve(&section);
 /// assert!((heat.mean - 300.0 - 0.1 / (12.0 * 0.14)).abs() < 1e-9);
@@ -44,7 +46,8 @@ struct Trial {
     temperature: [f64; POINTS],
     stress: f64,
     flow_viscosity: f64,
-    carried: f64,
+    /// Heat conducted to the surfaces \[W/m^2\].
+    conducted: f64,
 }
 
 impl SectionSolver {
@@ -58,21 +61,51 @@ impl SectionSolver {
     /// unique.
     #[must_use]
     pub fn solve(&self, section: &FilmSection<'_>) -> FilmHeat {
-        let layers = Layers::new(&self.rule, section.velocity);
-        // Uniform initial heat profile.
-        let mut shape = [1.0; POINTS];
-        let mut trial = self.trial(section, &layers, 0.0, &mut shape);
+        self.solve_from(section, &mut [1.0; POINTS])
+    }
+
+    /// The same from the `fluidity` of the layers over its mean, which becomes that of the solution.
+    pub(super) fn solve_from(&self, section: &FilmSection<'_>, fluidity: &mut [f64; POINTS]) -> FilmHeat {
+        let FilmSection { film, conductivity, surfaces, response, advection, .. } = section;
+        let layers = LayerResponse::new(&self.rule, film / conductivity, *surfaces, *response, advection);
+        let mut trial = self.trial(section, &layers, 0.0, fluidity);
         let mut heat = trial.stress * section.sliding;
         if heat > 0.0 {
-            (heat, trial) = self.find(section, &layers, heat, &mut shape);
+            (heat, trial) = self.find(section, &layers, heat, fluidity);
         }
-        let (by_pressure, by_compression) = section.other_heat;
-        let conducted = heat + by_pressure + by_compression - trial.carried;
-        let Trial { temperature, stress, flow_viscosity, carried } = trial;
+        let Trial { temperature, stress, flow_viscosity, conducted } = trial;
         let mean = self.rule.mean(&temperature);
         let flow_temperature = section.temperature_of(flow_viscosity, mean);
-        let streams = [&layers.forward, &layers.backward].map(|weights| Layers::mean(weights, &temperature));
-        FilmHeat { mean, stress, flow_viscosity, flow_temperature, conducted, carried, streams }
+        let carried = heat + section.pressure_heat + self.rule.mean(&section.compression) - conducted;
+        FilmHeat { mean, stress, flow_viscosity, flow_temperature, conducted, carried, layers: temperature }
+    }
+
+    /// Mean across the film.
+    pub(super) fn mean(&self, layers: &[f64; POINTS]) -> f64 {
+        self.rule.mean(layers)
+    }
+
+    /// See [`velocity`].
+    pub(super) fn velocity(&self, parts: [f64; 3]) -> [f64; POINTS] {
+        velocity(&self.rule, parts)
+    }
+
+    /// See [`LayerAdvection::between`].
+    pub(super) fn advection(
+        &self,
+        per_flow: f64,
+        flows: [&[f64; POINTS]; 3],
+        neighbours: [&[f64; POINTS]; 2],
+    ) -> LayerAdvection {
+        LayerAdvection::between(&self.rule, per_flow, flows, neighbours)
+    }
+
+    /// Heat of the layers, with the shear heat `heat` distributed as the `fluidity`.
+    fn sources(&self, section: &FilmSection<'_>, heat: f64, fluidity: &[f64; POINTS]) -> [f64; POINTS] {
+        std::array::from_fn(|i| {
+            let driven = 12.0 * (self.rule.nodes[i] - 0.5).powi(2) * section.pressure_heat;
+            heat * fluidity[i] + driven + section.compression[i]
+        })
     }
 
     /// Root of the heat equation between the isothermal heat `most` and the heat under the temperature that
@@ -80,7 +113,7 @@ impl SectionSolver {
     fn find(
         &self,
         section: &FilmSection<'_>,
-        layers: &Layers,
+        layers: &LayerResponse,
         most: f64,
         shape: &mut [f64; POINTS],
     ) -> (f64, Trial) {
@@ -127,7 +160,7 @@ impl SectionSolver {
     fn trial(
         &self,
         section: &FilmSection<'_>,
-        layers: &Layers,
+        layers: &LayerResponse,
         heat: f64,
         shape: &mut [f64; POINTS],
     ) -> Trial {
@@ -140,24 +173,24 @@ impl SectionSolver {
     /// Film state under the viscosities at two temperatures: the stress has that at the mean, the pressure flow that
     /// at the mean weighted by the square of the distance from the midplane, which is its share of the flow under a
     /// uniform viscosity.
-    fn parabola(&self, section: &FilmSection<'_>, layers: &Layers, heat: f64) -> Trial {
+    fn parabola(&self, section: &FilmSection<'_>, layers: &LayerResponse, heat: f64) -> Trial {
         let rule = &self.rule;
-        let uncarried = section.uncarried(rule, |i| heat * half_parabola(rule.nodes[i]));
-        let (temperature, carried) = section.close(rule, layers, heat, &uncarried);
+        let sources = self.sources(section, heat, &[1.0; POINTS]);
+        let temperature = layers.temperatures(&sources);
         let weighted = temperature.iter().zip(rule.nodes.iter().zip(&rule.weights));
         let flow_mean: f64 = weighted.map(|(t, (z, w))| 12.0 * w * (z - 0.5).powi(2) * t).sum();
         Trial {
             temperature,
             stress: section.stress(section.viscosity_at(rule.mean(&temperature))),
             flow_viscosity: section.viscosity_at(flow_mean),
-            carried,
+            conducted: layers.conducted(&sources),
         }
     }
 
     fn collocate(
         &self,
         section: &FilmSection<'_>,
-        layers: &Layers,
+        layers: &LayerResponse,
         heat: f64,
         shape: &mut [f64; POINTS],
     ) -> Trial {
@@ -176,15 +209,13 @@ impl SectionSolver {
     fn pass(
         &self,
         section: &FilmSection<'_>,
-        layers: &Layers,
+        layers: &LayerResponse,
         heat: f64,
         shape: &mut [f64; POINTS],
     ) -> (Trial, f64) {
         let rule = &self.rule;
-        let sheared =
-            |i: usize| -> f64 { rule.green[i].iter().zip(shape.iter()).map(|(green, g)| green * g).sum() };
-        let uncarried = section.uncarried(rule, |i| heat * sheared(i));
-        let (temperature, carried) = section.close(rule, layers, heat, &uncarried);
+        let sources = self.sources(section, heat, shape);
+        let temperature = layers.temperatures(&sources);
         let fluidity = temperature.map(|temperature| 1.0 / section.viscosity_at(temperature));
         let all = rule.mean(&fluidity);
         let stress = section.stress(1.0 / all);
@@ -194,7 +225,8 @@ impl SectionSolver {
             change = change.max((new - *share).abs());
             *share = new;
         }
-        (Trial { temperature, stress, flow_viscosity: self.flow_viscosity(&fluidity), carried }, change)
+        let flow_viscosity = self.flow_viscosity(&fluidity);
+        (Trial { temperature, stress, flow_viscosity, conducted: layers.conducted(&sources) }, change)
     }
 
     /// Uniform viscosity that gives the same pressure flow.

@@ -21,6 +21,7 @@ use std::process::ExitCode;
 
 use chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
 use quick::{Options, options};
+use rayon::prelude::*;
 use stribeck::analytic::ThermalInlet;
 use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
@@ -61,7 +62,7 @@ fn scene(nodes: usize, speed: f64, ratio: f64) -> Scene {
 }
 
 /// The same contact isothermal, with the parabolic profile and by collocation.
-fn solve(nodes: usize, speed: f64, ratio: f64) -> Result<[ContactSolution; 3], Box<dyn Error>> {
+fn solve(nodes: usize, speed: f64, ratio: f64) -> Result<[ContactSolution; 3], Box<dyn Error + Send + Sync>> {
     let mut scene = scene(nodes, speed, ratio);
     let isothermal = solve_contact(&scene)?;
     let mut warm = |profile| {
@@ -100,9 +101,10 @@ type Lines = [Vec<(f64, f64)>; 4];
 /// Solves the contacts at `speed` over the slide-roll ratio; prints them and appends them to `table`.
 fn over_sliding(nodes: usize, speed: f64, steps: u32, table: &mut String) -> Result<Lines, Box<dyn Error>> {
     let mut lines = Lines::default();
-    for step in 0..=steps {
-        let ratio = 2.0 * f64::from(step) / f64::from(steps);
-        let solved = solve(nodes, speed, ratio)?;
+    let ratios: Vec<f64> = (0..=steps).map(|step| 2.0 * f64::from(step) / f64::from(steps)).collect();
+    let contacts: Result<Vec<_>, _> = ratios.par_iter().map(|ratio| solve(nodes, speed, *ratio)).collect();
+    let contacts = contacts.map_err(|error| -> Box<dyn Error> { error })?;
+    for (ratio, solved) in ratios.into_iter().zip(contacts) {
         for (profile, solution) in ["isothermal", "parabola", "collocation"].into_iter().zip(&solved) {
             let (film, friction) = (solution.film.central, solution.friction.coefficient);
             writeln!(table, "{speed},{ratio},{profile},{film:e},{friction:e},{:e}", rise(solution))?;

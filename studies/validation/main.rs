@@ -32,6 +32,7 @@ mod rig;
 #[path = "../../tests/common/rolling.rs"]
 mod rolling;
 mod rough;
+mod rough_seeds;
 mod speed_changes;
 mod starvation;
 mod waves;
@@ -57,11 +58,12 @@ usage: cargo run --release -p studies --bin validation -- [ROW ...] [--quick] [-
 type Compute = fn(Effort) -> Outcome<Row>;
 
 /// In the order of the page: measurements, independent computations, closed forms, fits.
-const ROWS: [(&str, Compute); 21] = [
+const ROWS: [(&str, Compute); 22] = [
     ("mourier", mourier::row),
     ("rig", rig::row),
     ("crowned_rollers", ellipses::row),
     ("rough_films", rough::row),
+    ("rough_seeds", rough_seeds::row),
     ("speed_changes", speed_changes::row),
     ("journal_bearings", bearings::journal_bearings),
     ("pocket", bearings::pocket),
@@ -173,6 +175,7 @@ mod tests {
         film_grows_with_speed_as_on_the_rig: "rig";
         minimum_films_of_crowned_rollers_lie_below_the_measured_mean: "crowned_rollers";
         rough_films_reach_the_smooth_film_above_lambda_two: "rough_films";
+        rough_films_scatter_little_between_surfaces: "rough_seeds";
         film_lags_behind_the_steady_one_of_its_speed: "speed_changes";
         least_film_of_a_stroke_is_at_its_end: "reciprocation";
         journal_bearings_match_the_table: "journal_bearings";

@@ -14,7 +14,7 @@ const RQ: f64 = 60e-9;
 const ETA0: f64 = 0.05;
 const ALPHA: f64 = 20e-9;
 /// Correlation lengths \[m\].
-const LENGTHS: [f64; 2] = [16e-6, 48e-6];
+pub(crate) const LENGTHS: [f64; 2] = [16e-6, 48e-6];
 /// Nominal film ratios, and those above which the law of asperity inlets does not hold.
 const LAMBDAS: [f64; 9] = [0.05, 0.1, 0.2, 0.35, 0.5, 1.0, 1.5, 2.0, 3.0];
 const LARGEST_OF_LAW: f64 = 0.5;
@@ -54,15 +54,15 @@ fn solved(scene: &Scene) -> Outcome<[f64; 3]> {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Case {
-    lambda: f64,
-    length: f64,
-    seed: u64,
-    model: SolverModel,
+pub(crate) struct Case {
+    pub(crate) lambda: f64,
+    pub(crate) length: f64,
+    pub(crate) seed: u64,
+    pub(crate) model: SolverModel,
 }
 
 impl Case {
-    fn is_at(&self, lambda: f64, length: f64) -> bool {
+    pub(crate) fn is_at(&self, lambda: f64, length: f64) -> bool {
         (self.lambda - lambda).abs() < 1e-9 && (self.length - length).abs() < 1e-9
     }
 
@@ -85,7 +85,7 @@ fn smooth(lambda: f64) -> Outcome<f64> {
 }
 
 /// Film over the smooth film, share on solids and friction of each case.
-fn computed(cases: &[Case], lambdas: &[f64]) -> Outcome<Vec<(Case, [f64; 3])>> {
+pub(crate) fn computed(cases: &[Case], lambdas: &[f64]) -> Outcome<Vec<(Case, [f64; 3])>> {
     let smooth: Vec<f64> = lambdas.par_iter().map(|lambda| smooth(*lambda)).collect::<Outcome<_>>()?;
     (cases.par_iter())
         .map(|case| {
