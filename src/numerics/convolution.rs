@@ -117,6 +117,14 @@ impl ConvolutionPlan {
         plan
     }
 
+    /// The convolution with the sum of the kernels of `self` and `other`, plans of one size, in single precision with the
+    /// kernel multiplied by `factor`.
+    pub(crate) fn sum_to_single(&self, other: &Self, factor: f64) -> ConvolutionPlan<f32> {
+        let mut plan = ConvolutionPlan::transforms([self.nx, self.ny], [self.padded_x, self.padded_y]);
+        plan.spectrum = self.spectrum.sum_in_single(&other.spectrum, self.padded_y, factor);
+        plan
+    }
+
     /// Plan for fields of `nx` x `ny` on a padded grid of these `lengths`.
     fn padded(size: [usize; 2], lengths: [usize; 2], kernel: impl Fn(isize, isize) -> f64) -> Self {
         let mut plan = Self::transforms(size, lengths);
@@ -173,7 +181,7 @@ impl<T: Precision> ConvolutionPlan<T> {
     }
 
     /// Inverse of this convolution plus `own` times the identity on its padded grid: the reciprocal of the
-    /// spectrum's modulus plus `own`. For a periodic kernel that decays as `1/r` the inverse decays as
+    /// spectrum, whose modulus is larger by `own`. For a periodic kernel that decays as `1/r` the inverse decays as
     /// `1/r^3`, so that periodic images affect the edges only.
     pub(crate) fn inverse_with(&self, own: f64) -> Self {
         let mut plan = self.clone();

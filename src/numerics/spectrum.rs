@@ -46,9 +46,33 @@ impl Spectrum<f64> {
     }
 }
 
+impl Spectrum<f64> {
+    /// `factor` times the sum of both spectra, with columns of `length` values.
+    pub(super) fn sum_in_single(&self, other: &Self, length: usize, factor: f64) -> Spectrum<f32> {
+        if let (Self::Symmetric(one), Self::Symmetric(two)) = (self, other) {
+            return Spectrum::Symmetric(
+                one.iter().zip(two).map(|(a, b)| (factor * (a + b)) as f32).collect(),
+            );
+        }
+        let values = (self.whole(length).zip(other.whole(length)))
+            .map(|(a, b)| Complex::new((factor * (a.re + b.re)) as f32, (factor * (a.im + b.im)) as f32));
+        Spectrum::General(values.collect())
+    }
+
+    /// All values, column by column, with columns of `length` values.
+    fn whole(&self, length: usize) -> Box<dyn Iterator<Item = Complex<f64>> + '_> {
+        match self {
+            Self::Symmetric(values) => Box::new(values.chunks_exact(length / 2 + 1).flat_map(move |half| {
+                (0..length).filter_map(move |k| half.get(k.min(length - k)).copied().map(Complex::from))
+            })),
+            Self::General(values) => Box::new(values.iter().copied()),
+        }
+    }
+}
+
 impl<T: Precision> Spectrum<T> {
-    /// Replaces each value `K` by `factor / (|K| + added)`; a value of zero counts as the smallest normal
-    /// number.
+    /// Replaces each value `K` by `factor / (|K| + added)` with the phase of `1/K`; a value of zero counts as the smallest
+    /// normal number.
     pub(super) fn reciprocal(&mut self, factor: f64, added: f64) {
         let reciprocal = |modulus: f64| T::rounded(factor / (modulus.max(f64::MIN_POSITIVE) + added));
         match self {
@@ -56,8 +80,11 @@ impl<T: Precision> Spectrum<T> {
                 values.iter_mut().for_each(|value| *value = reciprocal(value.wide().abs()));
             }
             Self::General(values) => values.iter_mut().for_each(|value| {
-                let modulus = value.re.wide().hypot(value.im.wide());
-                *value = Complex::new(reciprocal(modulus), T::zero());
+                let whole = Complex::new(value.re.wide(), value.im.wide());
+                let modulus = whole.norm().max(f64::MIN_POSITIVE);
+                let phase = whole.conj() / modulus;
+                let inverse = factor / (modulus + added);
+                *value = Complex::new(T::rounded(inverse * phase.re), T::rounded(inverse * phase.im));
             }),
         }
     }

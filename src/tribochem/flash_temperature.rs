@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::ThermalBody;
-use super::heat_partition::{PartitionSolver, Resistance};
+use super::heat_partition::PartitionSolver;
 use super::moving_source::MovingSource;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -82,8 +82,6 @@ pub struct FlashTemperature {
     n_nodes: usize,
     /// Rise of each body under a heat flux into it \[K m^2/W\].
     bodies: [Convolution; 2],
-    /// Rise of both bodies under the same flux.
-    sum: Convolution,
     /// Solver of the heat partition.
     solver: PartitionSolver,
     /// Rises of both surfaces \[K\].
@@ -110,18 +108,22 @@ impl FlashTemperature {
         let [first, second] = [0, 1].map(|b| MovingSource::new(grid, bodies[b], speeds[b]));
         let plan = |kernel: &dyn Fn(isize, isize) -> f64| {
             let make = if grid.is_strip() { ConvolutionPlan::periodic_across } else { ConvolutionPlan::new };
-            Convolution::new(Arc::new(make(grid.nx(), grid.ny(), kernel)))
+            make(grid.nx(), grid.ny(), kernel)
         };
+        let bodies = [plan(&|i, j| first.at(i, j)), plan(&|i, j| second.at(i, j))];
         let zeros = || vec![0.0; grid.len()];
+        let both = |i, j| first.at(i, j) + second.at(i, j);
+        let periodic =
+            if grid.is_strip() { ConvolutionPlan::periodic_strip } else { ConvolutionPlan::periodic };
+        let periodic = periodic(grid.nx(), grid.ny(), both);
         Ok(Self {
             n_nodes: grid.len(),
-            bodies: [plan(&|i, j| first.at(i, j)), plan(&|i, j| second.at(i, j))],
-            sum: plan(&|i, j| first.at(i, j) + second.at(i, j)),
-            solver: PartitionSolver::new(grid.len()),
+            solver: PartitionSolver::new(grid.len(), bodies.each_ref(), &periodic, both(0, 0)),
+            bodies: bodies.map(|plan| Convolution::new(Arc::new(plan))),
             temperatures: [zeros(), zeros()],
             first_flux: zeros(),
             second_flux: zeros(),
-            self_influence: first.at(0, 0) + second.at(0, 0),
+            self_influence: both(0, 0),
         })
     }
 
@@ -212,9 +214,8 @@ impl FlashTemperature {
                 *share += weight * (0.5 * flux - *share);
             }
         }
-        let layer = resistance.map(|nodes| Resistance { nodes, self_influence: self.self_influence });
         let tolerance = 0.5 * TOLERANCE * hottest;
-        self.solver.solve(&mut self.sum, (heat_flux, layer), second, &mut self.first_flux, tolerance)
+        self.solver.solve((heat_flux, resistance), second, &mut self.first_flux, tolerance)
     }
 
     /// Rises under the partition, their mean in `out`, and their mismatch.

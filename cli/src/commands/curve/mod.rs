@@ -122,7 +122,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     options.report.claim(&options.scene, options.output.force)?;
     let name = format!("{}_{}", output::stem(&options.scene), options.over.file_ending());
     let solves = values.len() * scenes.len();
-    let held = announced(options, &scene, &start_conditions, solves)
+    let held = announced(options, &scene, &start_conditions, [values.len(), scenes.len()])
         .map_err(|error| output::in_scene(&options.scene, &error))?;
     let mut curve = Curve::begin(options, &scene, &name, (solves, is_sample))?;
     curve.warnings = held.warnings();
@@ -157,7 +157,7 @@ fn announced(
     options: &Options,
     scene: &Scene,
     conditions: &Conditions,
-    solves: usize,
+    [values, count]: [usize; 2],
 ) -> Result<Held, SimError> {
     let held = Held::default();
     let [megabytes, most] = [scene.first_memory()?, scene.memory()?].map(|bytes| 1e-6 * bytes);
@@ -166,9 +166,11 @@ fn announced(
     } else {
         String::new()
     };
+    let (solves, together) = (values * count, surfaces::at_once(count));
+    let at_once = if together > 1 { format!(", {together} at once") } else { String::new() };
     held.hold(
         "needs",
-        format!("{solves} solves, each with about {:.0} MB of memory{finer}", megabytes.max(1.0)),
+        format!("{solves} solves{at_once}, each with about {:.0} MB of memory{finer}", megabytes.max(1.0)),
     );
     if options.over != Axis::SlideRollRatio && conditions.motion.slide_roll_ratio == 0.0 {
         held.hold("warning", "the slide-roll ratio is 0: without sliding there is no friction".to_owned());
@@ -288,7 +290,8 @@ impl<'a> Curve<'a> {
         self.solve_surfaces(scenes, (conditions, value), self.plan.model(), held)
     }
 
-    /// The contacts of all surfaces at one value by one model; `None` after an interruption.
+    /// The contacts of all surfaces at one value by one model, as many at once as there are processors; `None` after an
+    /// interruption.
     fn solve_surfaces(
         &mut self,
         scenes: &[Scene],
@@ -297,31 +300,36 @@ impl<'a> Curve<'a> {
         held: &Held,
     ) -> Result<Option<Vec<Point>>, Box<dyn Error>> {
         let mut points = Vec::with_capacity(scenes.len());
-        for (surface, scene) in scenes.iter().enumerate() {
-            let mut scene = scene.clone();
-            scene.solver.model = model;
-            self.columns.over.set(&mut scene, conditions, value);
-            let (held, bar) = (held.clone(), self.bar.clone());
-            let mut builder = MixedLubricationSim::builder(scene).interrupt(move || {
-                held.print(&bar);
-                interrupt::is_requested()
-            });
-            if let Some(start) = self.starts.of(surface).filter(|_| !model.is_resolved()) {
-                builder = builder.contact_start(start);
-            }
-            match builder.solve() {
-                Ok(solution) => {
-                    self.starts.keep(surface, &solution);
-                    points.push(Point { conditions: *conditions, surface, solution });
+        let numbered: Vec<_> = scenes.iter().enumerate().collect();
+        for group in numbered.chunks(surfaces::at_once(scenes.len())) {
+            let builder = |(surface, scene): (usize, &Scene)| {
+                let mut scene = scene.clone();
+                scene.solver.model = model;
+                self.columns.over.set(&mut scene, conditions, value);
+                let (held, bar) = (held.clone(), self.bar.clone());
+                let builder = MixedLubricationSim::builder(scene).interrupt(move || {
+                    held.print(&bar);
+                    interrupt::is_requested()
+                });
+                let start = self.starts.of(surface).filter(|_| !model.is_resolved());
+                if let Some(start) = start { builder.contact_start(start) } else { builder }
+            };
+            let builders = group.iter().copied().map(builder).collect();
+            for ((surface, _), solved) in group.iter().zip(surfaces::solve_together(builders)) {
+                match solved {
+                    Ok(solution) => {
+                        self.starts.keep(*surface, &solution);
+                        points.push(Point { conditions: *conditions, surface: *surface, solution });
+                    }
+                    Err(SimError::Interrupted) => return Ok(None),
+                    Err(error @ SimError::BoxTooSmall(_)) => {
+                        self.is_complete = false;
+                        self.warn(format!("{} is left out of the curve: {error}", self.columns.words(value)));
+                    }
+                    Err(error) => return Err(output::in_scene(&self.options.scene, &error).into()),
                 }
-                Err(SimError::Interrupted) => return Ok(None),
-                Err(error @ SimError::BoxTooSmall(_)) => {
-                    self.is_complete = false;
-                    self.warn(format!("{} is left out of the curve: {error}", self.columns.words(value)));
-                }
-                Err(error) => return Err(output::in_scene(&self.options.scene, &error).into()),
+                self.bar.inc(1);
             }
-            self.bar.inc(1);
         }
         Ok(Some(points))
     }

@@ -1,8 +1,10 @@
 //! Random surfaces of a curve.
 
+use std::{panic, thread};
+
 use stribeck::InputError;
-use stribeck::sim::ContactSolution;
 use stribeck::sim::scene::{GridSpec, Roughness, Scene};
+use stribeck::sim::{ContactSolution, SimBuilder, SimError};
 
 /// Difference of the seeds of one surface and the next.
 const STRIDE: u64 = 1000;
@@ -30,6 +32,21 @@ pub(super) fn scenes(scene: &Scene, seeds: Option<u32>) -> Result<Vec<Scene>, In
         });
     }
     Ok((0..u64::from(seeds)).map(|number| with_seeds(scene, number)).collect())
+}
+
+/// How many of `count` surfaces are solved at once: one for each processor.
+pub(super) fn at_once(count: usize) -> usize {
+    thread::available_parallelism().map_or(1, usize::from).clamp(1, count.max(1))
+}
+
+/// Solves all contacts at once, each on a thread.
+pub(super) fn solve_together(builders: Vec<SimBuilder>) -> Vec<Result<ContactSolution, SimError>> {
+    thread::scope(|scope| {
+        let threads: Vec<_> =
+            builders.into_iter().map(|builder| scope.spawn(move || builder.solve())).collect();
+        let ended = threads.into_iter().map(thread::ScopedJoinHandle::join);
+        ended.map(|ended| ended.unwrap_or_else(|fault| panic::resume_unwind(fault))).collect()
+    })
 }
 
 /// Whether ball or disc have generated random heights.
