@@ -6,6 +6,7 @@ mod chart;
 mod model;
 mod report;
 mod row;
+mod solve;
 mod surfaces;
 
 use std::error::Error;
@@ -17,11 +18,11 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use stribeck::Status;
-use stribeck::sim::scene::{GridSpec, Scene, SolverModel};
-use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, SceneFile, SimError};
+use stribeck::sim::scene::{GridSpec, Scene};
+use stribeck::sim::{Conditions, ContactSolution, SceneFile, SimError};
 
 use self::axis::Axis;
-use self::model::{ModelChoice, Plan, Starts, resolved_values};
+use self::model::{ModelChoice, Plan, Starts};
 use self::row::{Columns, Row};
 use crate::output::{self, Held, Outcome, Output, ReportFile};
 use crate::{files, interrupt, picture};
@@ -242,136 +243,6 @@ impl<'a> Curve<'a> {
         })
     }
 
-    /// Solves one value after the other for all surfaces; whether all were solved and none interrupted.
-    fn solve(
-        &mut self,
-        scenes: &[Scene],
-        (mut conditions, values): (Conditions, &[f64]),
-        held: &Held,
-    ) -> Result<bool, Box<dyn Error>> {
-        self.bar.tick();
-        let beside = resolved_values(self.options.resolve.unwrap_or(0), values.len());
-        for (index, &value) in values.iter().enumerate() {
-            let at = (&mut conditions, value);
-            let Some(points) = self.points_at(scenes, at, held)? else { return Ok(false) };
-            let is_model = points.first().is_some_and(|point| !is_resolved(point));
-            self.take(value, points, false)?;
-            if is_model && beside.contains(&index) {
-                let (at, resolved) = ((&mut conditions, value), SolverModel::Resolved);
-                let Some(points) = self.solve_surfaces(scenes, at, resolved, held)? else { return Ok(false) };
-                self.take(value, points, true)?;
-            }
-        }
-        Ok(true)
-    }
-
-    /// The contacts at one value by the model that holds there; `None` after an interruption.
-    fn points_at(
-        &mut self,
-        scenes: &[Scene],
-        (conditions, value): (&mut Conditions, f64),
-        held: &Held,
-    ) -> Result<Option<Vec<Point>>, Box<dyn Error>> {
-        if self.plan == Plan::TryInlets {
-            match self.solve_surfaces(scenes, (&mut *conditions, value), self.plan.model(), held) {
-                Ok(None) => return Ok(None),
-                Ok(Some(points)) => match points.iter().find(|point| !point.solution.is_within_model()) {
-                    None if !points.is_empty() => return Ok(Some(points)),
-                    outside => {
-                        self.plan = outside.map_or(Plan::Resolved, |point| self.plan.after(&point.solution));
-                    }
-                },
-                // Outside of the model, or an error that the resolved solve repeats.
-                Err(_) => self.plan = Plan::Resolved,
-            }
-            self.bar.set_position((self.points.len()) as u64);
-            return self.solve_surfaces(scenes, (conditions, value), SolverModel::Resolved, held);
-        }
-        self.solve_surfaces(scenes, (conditions, value), self.plan.model(), held)
-    }
-
-    /// The contacts of all surfaces at one value by one model, as many at once as there are processors; `None` after an
-    /// interruption.
-    fn solve_surfaces(
-        &mut self,
-        scenes: &[Scene],
-        (conditions, value): (&mut Conditions, f64),
-        model: SolverModel,
-        held: &Held,
-    ) -> Result<Option<Vec<Point>>, Box<dyn Error>> {
-        let mut points = Vec::with_capacity(scenes.len());
-        let numbered: Vec<_> = scenes.iter().enumerate().collect();
-        for group in numbered.chunks(surfaces::at_once(scenes.len())) {
-            let builder = |(surface, scene): (usize, &Scene)| {
-                let mut scene = scene.clone();
-                scene.solver.model = model;
-                self.columns.over.set(&mut scene, conditions, value);
-                let (held, bar) = (held.clone(), self.bar.clone());
-                let builder = MixedLubricationSim::builder(scene).interrupt(move || {
-                    held.print(&bar);
-                    interrupt::is_requested()
-                });
-                let start = self.starts.of(surface).filter(|_| !model.is_resolved());
-                if let Some(start) = start { builder.contact_start(start) } else { builder }
-            };
-            let builders = group.iter().copied().map(builder).collect();
-            for ((surface, _), solved) in group.iter().zip(surfaces::solve_together(builders)) {
-                match solved {
-                    Ok(solution) => {
-                        self.starts.keep(*surface, &solution);
-                        points.push(Point { conditions: *conditions, surface: *surface, solution });
-                    }
-                    Err(SimError::Interrupted) => return Ok(None),
-                    Err(error @ SimError::BoxTooSmall(_)) => {
-                        self.is_complete = false;
-                        self.warn(format!("{} is left out of the curve: {error}", self.columns.words(value)));
-                    }
-                    Err(error) => return Err(output::in_scene(&self.options.scene, &error).into()),
-                }
-                self.bar.inc(1);
-            }
-        }
-        Ok(Some(points))
-    }
-
-    /// Prints and writes the `points` of one value, those of the curve or resolved ones beside it.
-    fn take(&mut self, value: f64, points: Vec<Point>, is_beside: bool) -> Result<(), Box<dyn Error>> {
-        for (field, text) in warnings(&self.columns.words(value), &points, &self.said) {
-            self.said.extend(field);
-            self.warn(text);
-        }
-        let is_converged = |point: &&Point| point.solution.report.status == Status::Converged;
-        let solutions: Vec<_> = points.iter().filter(is_converged).map(|point| &point.solution).collect();
-        if let Some(row) = Row::of(value, &solutions, self.formula(&points, value)) {
-            self.write_line(&row.csv(self.columns))?;
-            if !self.options.output.json {
-                let is_first = self.rows.is_empty() && self.resolved.is_empty();
-                let header = is_first.then(|| row::table_header(self.columns));
-                let lines = header.into_iter().chain([row.table_line(self.columns)]).collect::<Vec<_>>();
-                self.bar.suspend(|| output::print(&lines.join("\n")))?;
-            }
-            if is_beside { &mut self.resolved } else { &mut self.rows }.push(row);
-        }
-        if self.remarks && points.iter().any(|point| surfaces::is_mixed(&point.solution)) {
-            self.remarks = false;
-            let text = format!(
-                "at {} solids and fluid share the load: this is one random surface of many; \
-                 --seeds 4 gives the mean of four and their standard deviation",
-                self.columns.words(value)
-            );
-            self.warn(text);
-        }
-        self.points.extend(points);
-        Ok(())
-    }
-
-    /// Central film by formula at `value`, under the conditions of the `points`.
-    fn formula(&self, points: &[Point], value: f64) -> Option<f64> {
-        let (mut scene, mut conditions) = (self.scene.clone(), points.first()?.conditions);
-        self.columns.over.set(&mut scene, &mut conditions, value);
-        Some(scene.formula_film().ok()??.map.central)
-    }
-
     /// Prints a warning and keeps it for the report.
     fn warn(&mut self, text: String) {
         self.bar.suspend(|| output::complain("warning", &text));
@@ -420,30 +291,4 @@ impl<'a> Curve<'a> {
             "points": list, "curve": rows, "seconds": seconds, "version": env!("CARGO_PKG_VERSION"),
         }))
     }
-}
-
-/// Whether the contact was solved by the resolved model.
-fn is_resolved(point: &Point) -> bool {
-    point.solution.model != Some(SolverModel::AsperityInlets)
-}
-
-/// The warnings of the `points` of a value about fields that are not among the `said` ones, and about contacts that were
-/// not solved, which have no field.
-fn warnings(value: &str, points: &[Point], said: &[String]) -> Vec<(Option<String>, String)> {
-    let mut new: Vec<(Option<String>, String)> = Vec::new();
-    for point in points {
-        let status = point.solution.report.status;
-        if status != Status::Converged {
-            let which =
-                if points.len() > 1 { format!(", surface {},", point.surface) } else { String::new() };
-            new.push((None, format!("{value}{which} is left out of the curve: {status}")));
-        }
-        for warning in &point.solution.warnings {
-            let field = &warning.field;
-            if !said.contains(field) && !new.iter().any(|(known, _)| known.as_ref() == Some(field)) {
-                new.push((Some(field.clone()), format!("at {value}: {warning}")));
-            }
-        }
-    }
-    new
 }
