@@ -55,8 +55,8 @@ impl LayerAdvection {
     }
 
     /// Coefficients of the heat that layer `i` loses: `below (T_i - T_(i-1)) + above (T_i - T_(i+1))` \[W/(m^2 K)\] by the
-    /// flow across the film, by central differences; with as much conduction between the layers of a thick film, of the
-    /// resistance `film` \[K m^2/W\], that none is negative.
+    /// flow across the film, by central differences. In a thick film, of the resistance `film` \[K m^2/W\], they include
+    /// as much conduction between the layers that none is negative together with that of the fluid.
     pub(super) fn exchange(&self, rule: &Collocation, film: f64, i: usize) -> [f64; 2] {
         let of = |first: usize, sign: f64| {
             let between = rule.nodes[first + 1] - rule.nodes[first];
@@ -97,7 +97,13 @@ mod tests {
             let below = if i > 0 { found.across[i - 1] } else { 0.0 };
             let above = if i + 1 < POINTS { found.across[i] } else { 0.0 };
             assert!((rule.weights[i] * gained + below - above).abs() < 1e-12);
-            assert!(found.exchange(&rule, 1e6, i).iter().all(|share| *share >= 0.0));
+            for film in [1e-3, 1e3, 1e6] {
+                let [below, above] = found.exchange(&rule, film, i);
+                let conducted =
+                    |to: usize| 1.0 / (film * (rule.nodes[to] - rule.nodes[i]).abs() * rule.weights[i]);
+                assert!(i == 0 || below + conducted(i - 1) > -1e-12);
+                assert!(i + 1 == POINTS || above + conducted(i + 1) > -1e-12);
+            }
         }
         // Reversed layers bring the temperature of the node after them.
         let reversed =

@@ -77,11 +77,13 @@ pub(crate) fn row(effort: Effort) -> Outcome<Row> {
     for (case, [film, ..]) in &found {
         let films: Vec<f64> =
             surfaces(&found, case.lambda, case.length).iter().map(|values| values[0]).collect();
-        let is_long = case.length > LENGTHS[0];
-        let (group, bound) = if is_long {
-            ("film over smooth film beside the mean of the surfaces, 48 um", 0.1)
+        // The bounds are the scatter of these surfaces.
+        let (group, bound) = if case.length > LENGTHS[0] {
+            ("film over smooth film beside the mean of the surfaces, 48 um", 0.12)
+        } else if case.lambda < 1.0 {
+            ("film over smooth film beside the mean of the surfaces, 16 um, lambda 0.5", 0.06)
         } else {
-            ("film over smooth film beside the mean of the surfaces, 16 um", 0.04)
+            ("film over smooth film beside the mean of the surfaces, 16 um, lambda 1 to 3", 0.04)
         };
         let text = format!("lambda {}; seed {}", case.lambda, case.seed);
         numbers.push(Number::absolute(group, text, "", mean(&films), *film, bound));
