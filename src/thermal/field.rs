@@ -228,7 +228,7 @@ impl FilmTemperature {
         let nx = self.grid.nx();
         let bulk = [flow.bulk_temperature; POINTS];
         let per_flow = self.properties.heat_capacity / self.grid.dx();
-        let (is_first, is_last) = (k % nx == 0, k % nx + 1 == nx);
+        let (is_first, is_last) = (k.is_multiple_of(nx), k % nx + 1 == nx);
         let (before, after) = (if is_first { k } else { k - 1 }, if is_last { k } else { k + 1 });
         let upstream = if is_first { &bulk } else { &self.layers[before] };
         // Inflow from behind the box has the temperature of the outflow.
