@@ -456,6 +456,31 @@ fn estimate_matches_the_field_for_a_smooth_contact() {
     }
 }
 
+/// The heat partition takes about as many iterations on fine grids as on coarse ones, with smooth and with spotted heat, and its
+/// result agrees with the operator itself.
+#[test]
+fn iterations_of_the_heat_partition_do_not_grow_with_the_grid() {
+    for speeds in [[0.15, 0.05], [3.0, 0.0]] {
+        for n in [32, 128] {
+            let grid = Grid::centred(n, n, 5e-4 / n as f64, 5e-4 / n as f64).unwrap();
+            for is_spotted in [false, true] {
+                let flux: Vec<f64> = grid
+                    .nodes()
+                    .map(|(x, y)| {
+                        let outside = is_spotted && (3e5 * x).sin() * (2.5e5 * y).sin() < 0.3;
+                        let inside = (1.0 - (x * x + y * y) / 1.44e-8).max(0.0);
+                        if outside { 0.0 } else { 1e7 * inside.sqrt() }
+                    })
+                    .collect();
+                let mut flash = FlashTemperature::new(&grid, [ThermalBody::STEEL; 2], speeds).unwrap();
+                let report = flash.rise(&flux, &mut vec![0.0; grid.len()]).unwrap();
+                assert!(report.iterations <= 12, "{n} cells, {speeds:?}: {report:?}");
+                assert!(report.mismatch < 1.5e-4 * report.maximum, "{n} cells, {speeds:?}: {report:?}");
+            }
+        }
+    }
+}
+
 // ---- plasticity ----
 
 #[test]

@@ -58,8 +58,8 @@ pub struct FlashReport {
 /// touch, and it is not exact for truncated kernels.
 ///
 /// Valid for heat that varies slowly compared with the transit time of the contact, and for contacts small
-/// compared with the bodies. Memory: about 20 fields and three padded spectra. Cost per call: 5 convolutions
-/// plus one per iteration (typically 10 to 30).
+/// compared with the bodies. Memory: about 20 fields and three padded spectra. Cost per call: four convolutions, one in
+/// single precision, and about one more in single precision per iteration (3 to 12, on any grid).
 ///
 /// Sources: Jaeger (1942), moving sources of heat; Carslaw and Jaeger (1959), Conduction of Heat in Solids;
 /// the two-body idea by FFT: Gao, Lee, Ai, Nixon (2000), Journal of Tribology 122.
