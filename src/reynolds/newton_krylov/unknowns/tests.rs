@@ -100,7 +100,7 @@ fn rows_at(
         state.pressure[k as usize] += step(unknowns.balanced.len() + i) * unknowns.pressure_unit;
     }
     state.approach = step(x.len() - 1) * unknowns.film_unit;
-    coupled.displace(problem, &mut state).unwrap();
+    coupled.displace(problem, &state).unwrap();
     for (k, side) in coupled.active_set.iter().enumerate() {
         // To the flow, contact keeps its film whatever the elastic one does.
         state.film[k] = if side.is_contact() { 30e-9 } else { coupled.elastic_film[k] + depth[k] };
