@@ -192,18 +192,22 @@ impl FlashTemperature {
 
     /// Solves for the flux into the first body; returns the number of iterations.
     fn partition(&mut self, heat_flux: &[f64], resistance: Option<&[f64]>) -> usize {
-        // initial guess: equal temperatures node by node
+        let largest = |rises: &[f64]| rises.iter().copied().fold(0.0, f64::max);
         let [first, second] = &mut self.temperatures;
         self.bodies[0].apply(heat_flux, first);
         self.bodies[1].apply(heat_flux, second);
+        // The unknown is the flux into the body that would be hotter alone: the smaller one, whose rounding matters less.
+        let is_first = largest(first) >= largest(second);
+        let (own, other) = if is_first { (first, second) } else { (second, first) };
+        // initial guess: equal temperatures node by node
         let mut hottest = 0.0_f64;
         for (k, share) in self.first_flux.iter_mut().enumerate() {
-            let both = first[k] + second[k];
-            *share = if heat_flux[k] > 0.0 && both > 0.0 { heat_flux[k] * second[k] / both } else { 0.0 };
-            hottest = hottest.max(first[k].min(second[k]));
+            let both = own[k] + other[k];
+            *share = if heat_flux[k] > 0.0 && both > 0.0 { heat_flux[k] * other[k] / both } else { 0.0 };
+            hottest = hottest.max(own[k].min(other[k]));
         }
         if let Some(resistance) = resistance {
-            for ((target, flux), resistance) in second.iter_mut().zip(heat_flux).zip(resistance) {
+            for ((target, flux), resistance) in other.iter_mut().zip(heat_flux).zip(resistance) {
                 *target += 0.5 * resistance * flux;
             }
             // A film of high resistance sends half of the heat to each side.
@@ -215,7 +219,13 @@ impl FlashTemperature {
             }
         }
         let tolerance = 0.5 * TOLERANCE * hottest;
-        self.solver.solve((heat_flux, resistance), second, &mut self.first_flux, tolerance)
+        let iterations = self.solver.solve((heat_flux, resistance), other, &mut self.first_flux, tolerance);
+        if !is_first {
+            for (share, flux) in self.first_flux.iter_mut().zip(heat_flux) {
+                *share = flux - *share;
+            }
+        }
+        iterations
     }
 
     /// Rises under the partition, their mean in `out`, and their mismatch.

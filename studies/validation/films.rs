@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 use stribeck::analytic::{FilmConditions, LineFilmConditions};
+use stribeck::reynolds::{FaceMobility, Scheme};
 use stribeck::sim::scene::{BarusConstants, GridSpec, Load, LubricantSpec, ViscositySpec};
 use stribeck::sim::{Scene, solve_contact};
 use stribeck::surface::Form;
@@ -56,6 +57,24 @@ fn point(moes_load: f64, moes_lubricant: f64) -> Outcome<[f64; 2]> {
 
 /// The same of a line contact in an incompressible Barus oil, in a box that holds its inlet.
 fn line(moes_load: f64, moes_lubricant: f64) -> Outcome<[f64; 2]> {
+    let (film, scene) = line_scene(moes_load, moes_lubricant)?;
+    Ok([film, central(&scene)?])
+}
+
+/// Film of a line on 2048 nodes, and on 101 nodes with first-order entrainment and mean viscosities \[m\].
+fn coarse_line(moes_load: f64, moes_lubricant: f64) -> Outcome<[f64; 2]> {
+    let (_, fine) = line_scene(moes_load, moes_lubricant)?;
+    let mut coarse = fine.clone();
+    if let GridSpec::Row { nx, .. } = &mut coarse.grid {
+        *nx = 101;
+    }
+    coarse.solver.scheme = Some(Scheme::FirstOrder);
+    coarse.solver.face_mobility = Some(FaceMobility::Arithmetic);
+    Ok([central(&fine)?, central(&coarse)?])
+}
+
+/// Film by the formula \[m\] and scene of a line.
+fn line_scene(moes_load: f64, moes_lubricant: f64) -> Outcome<(f64, Scene)> {
     let radius = 1.0;
     let double_speed = (moes_lubricant / (ALPHA * MODULUS)).powi(4);
     let load = moes_load * double_speed.sqrt() * MODULUS * radius;
@@ -76,7 +95,7 @@ fn line(moes_load: f64, moes_lubricant: f64) -> Outcome<[f64; 2]> {
     let oil = oil.with_density_a(0.0).with_density_b(0.0);
     let mut scene = scene(Form::Cylinder { radius }, load, speed, oil);
     scene.grid = GridSpec::Row { nx: 2048, x: [-inlet, (2.0 * half_width).max(0.2 * inlet)] };
-    Ok([film, central(&scene)?])
+    Ok((film, scene))
 }
 
 fn numbers(
@@ -117,6 +136,20 @@ pub(crate) fn lines(effort: Effort) -> Outcome<Row> {
         reference: "fit to computations: Moes (1992)",
         range: "M 1 to 100, L 1 to 10, incompressible Barus oil",
         numbers: numbers("central film", &cases, 0.2, line)?,
+        extra: String::new(),
+        figures: Vec::new(),
+    })
+}
+
+pub(crate) fn coarse_lines(effort: Effort) -> Outcome<Row> {
+    let full = [10.0, 30.0, 100.0].into_iter().flat_map(|m| [2.5, 5.0, 10.0].map(|l| (m, l)));
+    let cases: Vec<_> = if effort.is_full() { full.collect() } else { vec![(30.0, 5.0)] };
+    Ok(Row {
+        name: "coarse_lines",
+        quantity: "Films of lines on 101 nodes, first order",
+        reference: "own computation: 2048 nodes, second order",
+        range: "M 10 to 100, L 2.5 to 10, incompressible Barus oil",
+        numbers: numbers("central film", &cases, 0.3, coarse_line)?,
         extra: String::new(),
         figures: Vec::new(),
     })

@@ -58,7 +58,7 @@ usage: cargo run --release -p studies --bin validation -- [ROW ...] [--quick] [-
 type Compute = fn(Effort) -> Outcome<Row>;
 
 /// In the order of the page: measurements, independent computations, closed forms, fits.
-const ROWS: [(&str, Compute); 22] = [
+const ROWS: [(&str, Compute); 23] = [
     ("mourier", mourier::row),
     ("rig", rig::row),
     ("crowned_rollers", ellipses::row),
@@ -78,6 +78,7 @@ const ROWS: [(&str, Compute); 22] = [
     ("contact_area", dry::contact_area),
     ("point_films", films::points),
     ("line_films", films::lines),
+    ("coarse_lines", films::coarse_lines),
     ("rigid_films", films::rigid),
     ("soft_films", films::soft),
     ("starvation", starvation::row),
@@ -189,6 +190,7 @@ mod tests {
         waves_have_the_published_amplitudes: "waves";
         point_films_are_near_the_formula: "point_films";
         line_films_are_near_the_formula: "line_films";
+        coarse_lines_are_off_by_the_stated_part: "coarse_lines";
         film_of_a_rigid_ball_is_near_the_formula: "rigid_films";
         films_of_soft_balls_are_near_the_formulas: "soft_films";
         starved_films_lie_between_the_published_curves: "starvation";
