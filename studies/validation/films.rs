@@ -149,7 +149,7 @@ pub(crate) fn coarse_lines(effort: Effort) -> Outcome<Row> {
         quantity: "Films of lines on 101 nodes, first order",
         reference: "own computation: 2048 nodes, second order",
         range: "M 10 to 100, L 2.5 to 10, incompressible Barus oil",
-        numbers: numbers("central film", &cases, 0.3, coarse_line)?,
+        numbers: numbers("central film", &cases, 0.13, coarse_line)?,
         extra: String::new(),
         figures: Vec::new(),
     })

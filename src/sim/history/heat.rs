@@ -6,6 +6,8 @@
 //! If the estimated rise of the smooth contact is below 1 K under all conditions of the schedule, the flash
 //! temperature is left out unless the scene requires it.
 
+use std::ops::Range;
+
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::sim::contact::film_heat::FilmIteration;
@@ -21,6 +23,9 @@ use crate::tribochem::{FlashTemperature, ThermalBody, estimate_rise_under_flux};
 
 /// Estimated flash temperature rise below which it is left out by default \[K\].
 const NEGLIGIBLE_RISE: f64 = 1.0;
+
+/// Share of the heat on each side of a contact whose temperature is not computed: it is far from the hottest place.
+const LEFT_OUT: f64 = 1e-4;
 
 /// The flash temperature of a history.
 #[derive(Debug, Clone)]
@@ -122,9 +127,44 @@ pub(in crate::sim) fn steady_rise(
         return Ok(Some(film.surface_rises().into_iter().flatten().fold(0.0, |most, rise| rise.max(most))));
     }
     let speeds = contact.motion.surface_speeds();
-    let mut flash = FlashTemperature::new(&contact.grid, scene.thermal_bodies(), speeds)?;
+    let (grid, sources) = heated_part(&contact.grid, sources)?;
+    let mut flash = FlashTemperature::new(&grid, scene.thermal_bodies(), speeds)?;
     let mut rises = vec![0.0; sources.len()];
     Ok(Some(flash.rise(&sources, &mut rises)?.maximum))
+}
+
+/// The part of `grid` that holds the `sources` but for `LEFT_OUT` of them on each side, and its sources. The largest rise is
+/// where heat enters. A strip and a line are kept whole.
+fn heated_part(grid: &Grid, sources: Vec<f64>) -> Result<(Grid, Vec<f64>), InputError> {
+    if grid.is_strip() || grid.ny() == 1 {
+        return Ok((*grid, sources));
+    }
+    let (mut columns, mut rows) = (vec![0.0; grid.nx()], vec![0.0; grid.ny()]);
+    for (row, sum) in sources.chunks_exact(grid.nx()).zip(&mut rows) {
+        *sum = row.iter().sum();
+        columns.iter_mut().zip(row).for_each(|(sum, source)| *sum += source);
+    }
+    let [columns, rows] = [held(&columns), held(&rows)];
+    let part = Grid::centred(columns.len(), rows.len(), grid.dx(), grid.dy())?;
+    let kept = sources.chunks_exact(grid.nx()).skip(rows.start).take(rows.len());
+    let kept = kept.flat_map(|row| row.iter().skip(columns.start).take(columns.len()).copied());
+    Ok((part, kept.collect()))
+}
+
+/// The lines that hold all of the `heat` of each line but for `LEFT_OUT` on either side; at least two.
+fn held(heat: &[f64]) -> Range<usize> {
+    let most = LEFT_OUT * heat.iter().sum::<f64>();
+    let leading = |heat: &mut dyn Iterator<Item = &f64>| {
+        let mut sum = 0.0;
+        heat.take_while(|line| {
+            sum += **line;
+            sum <= most
+        })
+        .count()
+    };
+    let (start, behind) = (leading(&mut heat.iter()), leading(&mut heat.iter().rev()));
+    let end = heat.len().saturating_sub(behind).max(start + 2).min(heat.len());
+    start.min(end.saturating_sub(2))..end
 }
 
 /// Largest rise \[K\] of the smooth contact. The full load is carried by solids or by a fluid film of the
