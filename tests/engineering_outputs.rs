@@ -31,14 +31,15 @@ fn flash_rise_of_a_slow_dry_contact_is_that_of_a_source_at_rest() {
     assert_eq!(solve_contact(&scene).unwrap().flash_rise, None);
 }
 
-/// The first record of a history has the same contact and the same moving sources.
+/// The first record of a history has the same contact and the same moving sources; `solve` leaves out the outermost 1e-4
+/// of the heat.
 #[test]
 fn flash_rise_of_a_solve_is_that_of_the_first_step() {
     let mut scene = scene("dry_wear.toml");
     scene.thermal.flash = stribeck::sim::scene::Flash::On;
     let solved = solve_contact(&scene).unwrap().flash_rise.unwrap();
     let stepped = MixedLubricationSim::builder(scene).build().unwrap().step(1.0).unwrap().flash_rise.unwrap();
-    close("flash", solved, stepped, 1e-12);
+    close("flash", solved, stepped, 1e-6);
 }
 
 #[test]
