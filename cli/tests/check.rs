@@ -6,6 +6,7 @@ mod common;
 use common::{error_of, json_of, repository, stribeck, text};
 use stribeck::sim::Scene;
 use stribeck::sim::solve_contact;
+use stribeck::units::by_size;
 
 /// Changes of the shipped ground disc: speeds from boundary lubrication to full film, finishes, lay, a light and a
 /// heavy load.
@@ -145,7 +146,7 @@ fn rigid_bearing_is_solved_under_its_load() {
     for part in [
         format!("eccentricity {:.4}", number("eccentricity")),
         format!("attitude {:.2} deg", number("attitude").to_degrees()),
-        format!("power      {:.4} W", number("power_loss")),
+        format!("power      {} lost", by_size(number("power_loss"), "W")),
         format!("side flow  {:.4} ml/s", 1e6 * number("side_flow")),
         format!("oil        {:.4} mPa s at 50.00 degC", 1e3 * number("eta0")),
     ] {
