@@ -229,7 +229,7 @@ fn wrong_options_are_refused() {
         ("curve S --from 1 --to 0.1", &["--to = 0.1 m/s must be above --from = 1 m/s"]),
         ("curve S --points 1", &["--points = \"1\"", "from 2 to 1000"]),
         ("curve S --points 2.5", &["--points = \"2.5\"", "whole number"]),
-        ("curve S --seeds 0", &["--seeds = \"0\"", "from 2 to 1000"]),
+        ("curve S --seeds 0", &["--seeds = \"0\"", "from 1 to 1000"]),
         ("run S", &["--duration", "--time-step"]),
         ("run S --steps 0 --time-step 1", &["--steps = \"0\"", "from 1"]),
         ("run S --steps 1 --time-step 1,5", &["--time-step = \"1,5\"", "a point: \"1.5\""]),
