@@ -84,7 +84,7 @@ def _keys(path: str) -> list[str]:
         answers = [_answer(path, {**beside, tag: value, _NO_SUCH: 0}) for value in values]
         return list(dict.fromkeys([tag, *beside, *(name for answer in answers for name in _expected(answer))]))
     answer = _answer(f"{path}.{_NO_SUCH}" if path else _NO_SUCH, 0)
-    return _expected(answer) if "unknown key" in answer else []
+    return _expected(answer) if f"unknown key `{_NO_SUCH}`" in answer else []
 
 
 def _type(path: str) -> str:
