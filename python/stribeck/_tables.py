@@ -12,10 +12,10 @@ class Form(Numbers):
     __slots__ = ()
     kind: str
     radius: float
-    radius_x: float
-    radius_y: float
     radii: list[float]
+    radius_x: float
     radii_x: list[float]
+    radius_y: float
     radii_y: list[float]
     angle: float
 
@@ -172,22 +172,22 @@ class RoughnessBall(Numbers):
     rq: float
     length_x: float
     length_y: float
+    skewness: float
+    kurtosis: float
+    height: str
+    boundary: str
+    seed: int | str
     hurst: float
     roll_off: float
     longest: float
     shortest: float
     synthesis: str
-    skewness: float
-    kurtosis: float
-    height: str
-    boundary: str
     radius: float
-    width: float
     depth: float
     pitch: float
     layout: str
+    width: float
     direction: str
-    seed: int | str
     path: str
 
 
@@ -199,22 +199,22 @@ class RoughnessDisc(Numbers):
     rq: float
     length_x: float
     length_y: float
+    skewness: float
+    kurtosis: float
+    height: str
+    boundary: str
+    seed: int | str
     hurst: float
     roll_off: float
     longest: float
     shortest: float
     synthesis: str
-    skewness: float
-    kurtosis: float
-    height: str
-    boundary: str
     radius: float
-    width: float
     depth: float
     pitch: float
     layout: str
+    width: float
     direction: str
-    seed: int | str
     path: str
 
 
@@ -255,16 +255,16 @@ class Tribofilm(Numbers):
 
     __slots__ = ()
     law: str
-    activation: str
     maximum_thickness: float
     x_tribo: float
     removal_limit: float
     removal_rate: float
+    activation: str
     prefactor: float
-    growth_rate: float
     activation_energy: float
     activation_volume: float
     stress: str
+    growth_rate: float
 
 
 class Wear(Numbers):
@@ -418,10 +418,10 @@ class Solver(Numbers):
 #: Units of keys by their paths; ratios, counts and words have none.
 UNITS = {
     "form.radius": "m",
-    "form.radius_x": "m",
-    "form.radius_y": "m",
     "form.radii": "m",
+    "form.radius_x": "m",
     "form.radii_x": "m",
+    "form.radius_y": "m",
     "form.radii_y": "m",
     "form.angle": "rad",
     "elastic.layer.thickness": "m",
@@ -480,9 +480,9 @@ UNITS = {
     "roughness.ball.longest": "m",
     "roughness.ball.shortest": "m",
     "roughness.ball.radius": "m",
-    "roughness.ball.width": "m",
     "roughness.ball.depth": "m",
     "roughness.ball.pitch": "m",
+    "roughness.ball.width": "m",
     "roughness.disc.rq": "m",
     "roughness.disc.length_x": "m",
     "roughness.disc.length_y": "m",
@@ -490,9 +490,9 @@ UNITS = {
     "roughness.disc.longest": "m",
     "roughness.disc.shortest": "m",
     "roughness.disc.radius": "m",
-    "roughness.disc.width": "m",
     "roughness.disc.depth": "m",
     "roughness.disc.pitch": "m",
+    "roughness.disc.width": "m",
     "plastic.hardness": "Pa",
     "plastic.film_hardness": "Pa",
     "plastic.hardening_modulus": "Pa/m",
@@ -504,9 +504,9 @@ UNITS = {
     "tribofilm.removal_limit": "m",
     "tribofilm.removal_rate": "1/s",
     "tribofilm.prefactor": "1/s",
-    "tribofilm.growth_rate": "m/s",
     "tribofilm.activation_energy": "J",
     "tribofilm.activation_volume": "m^3",
+    "tribofilm.growth_rate": "m/s",
     "wear.hardness": "Pa",
     "wear.film_hardness": "Pa",
     "wear.volume_per_energy": "m^3/J",

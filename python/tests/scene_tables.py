@@ -68,9 +68,9 @@ def _expected(answer: str) -> list[str]:
 
 def _variants(path: str) -> tuple[str, list[str]] | None:
     """The key that selects the other keys of a table, and its values."""
-    answer = _answer(f"{path}.{_NO_SUCH}" if path else _NO_SUCH, 0)
+    answer = _answer(path, {**_BESIDE.get(path, {}), _NO_SUCH: 0}) if path else _answer(_NO_SUCH, 0)
     for tag in ("law", "kind"):
-        if f", {tag} = " in answer or f"missing key `{tag}`" in answer or f"`{path}.{tag}`" in answer:
+        if f"`{path}`, {tag} = " in answer or f"missing key `{tag}` in `{path}`" in answer or f"`{path}.{tag}`" in answer:
             return tag, _expected(_answer(path, {**_BESIDE.get(path, {}), tag: _NO_SUCH}))
     return None
 
