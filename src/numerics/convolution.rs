@@ -117,12 +117,9 @@ impl ConvolutionPlan {
         plan
     }
 
-    /// The convolution with the sum of the kernels of `self` and `other`, plans of one size, in single precision with the
-    /// kernel multiplied by `factor`.
-    pub(crate) fn sum_to_single(&self, other: &Self, factor: f64) -> ConvolutionPlan<f32> {
-        let mut plan = ConvolutionPlan::transforms([self.nx, self.ny], [self.padded_x, self.padded_y]);
-        plan.spectrum = self.spectrum.sum_in_single(&other.spectrum, self.padded_y, factor);
-        plan
+    /// The convolution with the sum of the kernels of `self` and `other`, plans of one size.
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Self { spectrum: self.spectrum.plus(&other.spectrum, self.padded_y), ..self.clone() }
     }
 
     /// Plan for fields of `nx` x `ny` on a padded grid of these `lengths`.

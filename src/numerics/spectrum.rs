@@ -44,19 +44,13 @@ impl Spectrum<f64> {
             ),
         }
     }
-}
 
-impl Spectrum<f64> {
-    /// `factor` times the sum of both spectra, with columns of `length` values.
-    pub(super) fn sum_in_single(&self, other: &Self, length: usize, factor: f64) -> Spectrum<f32> {
+    /// The sum of both spectra, with columns of `length` values.
+    pub(super) fn plus(&self, other: &Self, length: usize) -> Self {
         if let (Self::Symmetric(one), Self::Symmetric(two)) = (self, other) {
-            return Spectrum::Symmetric(
-                one.iter().zip(two).map(|(a, b)| (factor * (a + b)) as f32).collect(),
-            );
+            return Self::Symmetric(one.iter().zip(two).map(|(a, b)| a + b).collect());
         }
-        let values = (self.whole(length).zip(other.whole(length)))
-            .map(|(a, b)| Complex::new((factor * (a.re + b.re)) as f32, (factor * (a.im + b.im)) as f32));
-        Spectrum::General(values.collect())
+        Self::General(self.whole(length).zip(other.whole(length)).map(|(a, b)| a + b).collect())
     }
 
     /// All values, column by column, with columns of `length` values.

@@ -90,8 +90,6 @@ pub struct FlashTemperature {
     first_flux: Vec<f64>,
     /// Flux into the second body \[W/m^2\].
     second_flux: Vec<f64>,
-    /// Rise of both bodies at a node per flux into its cell \[K m^2/W\].
-    self_influence: f64,
 }
 
 impl FlashTemperature {
@@ -123,7 +121,6 @@ impl FlashTemperature {
             temperatures: [zeros(), zeros()],
             first_flux: zeros(),
             second_flux: zeros(),
-            self_influence: both(0, 0),
         })
     }
 
@@ -214,7 +211,7 @@ impl FlashTemperature {
             for (share, (flux, resistance)) in
                 self.first_flux.iter_mut().zip(heat_flux.iter().zip(resistance))
             {
-                let weight = resistance / (resistance + self.self_influence);
+                let weight = resistance / (resistance + self.solver.self_influence);
                 *share += weight * (0.5 * flux - *share);
             }
         }

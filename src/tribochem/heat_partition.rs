@@ -26,7 +26,7 @@ pub(super) struct PartitionSolver {
     /// Inverse of the operator on the periodic grid, times the self-influence.
     inverse: Convolution<f32>,
     /// Rise of both bodies at a node per flux into its cell \[K m^2/W\].
-    self_influence: f64,
+    pub(super) self_influence: f64,
     /// `b - S q` \[K\].
     residual: Vec<f64>,
     /// Search directions since the restart, with orthogonal images.
@@ -54,7 +54,7 @@ impl PartitionSolver {
         self_influence: f64,
     ) -> Self {
         let zeros = || vec![0.0; n_nodes];
-        let sum = Convolution::new(Arc::new(first.sum_to_single(second, 1.0 / self_influence)));
+        let sum = Convolution::new(Arc::new(first.plus(second).to_single(1.0 / self_influence)));
         let inverse = Convolution::new(Arc::new(periodic.inverse_with(0.0).to_single(self_influence)));
         let direction = || Direction { search: zeros(), image: zeros(), norm_squared: 0.0 };
         let directions = (0..DIRECTIONS).map(|_| direction()).collect();

@@ -122,7 +122,7 @@ impl Traversal<'_> {
     }
 
     /// Applies `work` to the parts of `tree` on a level, in parallel. Where they are fewer than the threads, one after
-    /// the other, and `work` is told that each is alone and may use all threads.
+    /// the other, and `work` gets the flag that each is alone and may use all threads.
     pub(super) fn for_each_part(&self, tree: Part<'_>, level: Level, work: impl Fn(Part<'_>, bool) + Sync) {
         let tasks = tree.subtree.scratch.len();
         if tasks == 1 {

@@ -95,7 +95,7 @@ impl Split {
     pub(super) fn solid_share(&self, pressure: &[f64], edges: &EdgePressures, factor: f64) -> f64 {
         let (mut solid, mut whole) = (0.0, 0.0);
         for run in &self.runs {
-            // Solids carry what exceeds the pressure at the edge.
+            // Solids carry the pressure above that at the edge.
             let edge = run.edge(edges, factor);
             for p in &pressure[run.nodes.clone()] {
                 solid += (p - edge).max(0.0);

@@ -70,35 +70,35 @@ impl<'a> Document<'a> {
 
     /// The error with its line and key, or all missing keys if it is one of several.
     fn described<T: DeserializeOwned>(&self, error: toml::de::Error, absent: Vec<String>) -> String {
-        let (what, mut path) = (error.message().to_owned(), path_of(&error));
-        let is_missing = what.starts_with("missing field");
+        let (cause, mut path) = (error.message().to_owned(), path_of(&error));
+        let is_missing = cause.starts_with("missing field");
         if is_missing && absent.len() > 1 {
             return plain_words::with_remedy(format!("missing keys: `{}`", absent.join("`, `")));
         }
         let mut place = path.clone();
         let mut tag = String::new();
-        if let Some(key) = what.strip_prefix("unknown field `").and_then(|rest| rest.split('`').next()) {
+        if let Some(key) = cause.strip_prefix("unknown field `").and_then(|rest| rest.split('`').next()) {
             place = joined(&path, key);
             tag = self.tag(&path);
         } else if !is_missing {
-            self.extend_to_cause::<T>(&what, &mut path);
+            self.extend_to_cause::<T>(&cause, &mut path);
             place.clone_from(&path);
         }
         let within = if path.is_empty() { String::new() } else { format!(" in `{path}`") };
-        let message = plain_words::of(&escape(&format!("{what}{within}{tag}")));
+        let message = plain_words::of(&escape(&format!("{cause}{within}{tag}")));
         plain_words::with_remedy(format!("line {}: {message}", self.line(&place)))
     }
 
-    /// Extends `path` from a table to the value that causes the error `what`: the key without which the error is
+    /// Extends `path` from a table to the value that causes the error `cause`: the key without which the error is
     /// another one. Serde reads a table with `kind` or `law` as a whole, and its errors name the table only.
-    fn extend_to_cause<T: DeserializeOwned>(&self, what: &str, path: &mut String) {
+    fn extend_to_cause<T: DeserializeOwned>(&self, cause: &str, path: &mut String) {
         while let Some(Value::Table(table)) = self.value(path) {
             // Without the tag every error is another one: it is the cause if no other key is.
             let (tags, others): (Vec<_>, Vec<_>) = table.keys().partition(|key| TAGS.contains(&key.as_str()));
             let causes = |key: &&String| {
                 let mut without = self.tables.clone();
                 table_at(&mut without, path).and_then(|table| table.remove(key.as_str()));
-                without.try_into::<T>().err().is_none_or(|error| error.message() != what)
+                without.try_into::<T>().err().is_none_or(|error| error.message() != cause)
             };
             let Some(key) = others.into_iter().chain(tags).find(causes) else { return };
             *path = joined(path, key);
@@ -111,7 +111,7 @@ impl<'a> Document<'a> {
         tag.map_or_else(String::new, |(tag, value)| format!(", {tag} = {value}"))
     }
 
-    /// Number of the line of the key at `path`, or of the last table on the way to it.
+    /// Number of the line of the key at `path`, or of the innermost table of the file that holds it.
     fn line(&self, path: &str) -> usize {
         let mut table = Some(self.places.get_ref());
         let mut start = 0;
