@@ -1,7 +1,7 @@
 //! Growth-law constants from measured films: recovery from noise, honest intervals, refusals.
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::SeedableRng;
 use rand_distr::{Distribution, Normal};
 use stribeck::SurfaceState;
 use stribeck::tribochem::{

@@ -1,8 +1,8 @@
 //! Random deviates and phases of surfaces.
 
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::SeedableRng;
 use num_complex::Complex64;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
 
 /// A value of the same phase on the unit circle; 1 for zero.
 pub(super) fn phase(value: Complex64) -> Complex64 {

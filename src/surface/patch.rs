@@ -31,13 +31,12 @@ pub(super) fn deviates(
     let (nx, ny, width) = (period.nx(), period.ny(), period.nx() / 2 + 1);
     let transform = RealFft2::new(nx, ny);
     let amplitudes = Amplitudes::new(shape, johnson, &period, &transform, Mean::Drawn);
-    let generator = cipher(seed);
     let field = transform.synthesise([grid.nx(), grid.ny()], |i, column| {
         let amplitude = |j: usize| amplitudes.waves[j.min(ny - j) * width + i];
         if (0..=ny / 2).all(|j| amplitude(j) == 0.0) {
             return false;
         }
-        let mut generator = generator.clone();
+        let mut generator = cipher(seed);
         generator.set_stream(i as u64 + 1);
         for value in &mut *column {
             let parts = [(); 2].map(|()| StandardNormal.sample(&mut generator));

@@ -14,8 +14,8 @@
 
 use std::fmt::Debug;
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
 
 use super::motion::Offset;
 use crate::grid::Grid;

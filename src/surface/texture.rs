@@ -1,7 +1,7 @@
 //! Textures: dimples and grooves.
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
 
 use crate::error::InputError;
 use crate::grid::Grid;
