@@ -65,7 +65,11 @@ impl EdgePressures {
 
 /// Linear interpolation of `values` over ascending `knots`, through zero below the first; `None` above the last.
 fn interpolated(knots: &[f64], values: &[f64], x: f64) -> Option<f64> {
-    let above = knots.partition_point(|knot| *knot < x);
+    interpolated_below(knots.partition_point(|knot| *knot < x), knots, values, x)
+}
+
+/// The interpolation between the knot `above` the place `x` and the one before.
+fn interpolated_below(above: usize, knots: &[f64], values: &[f64], x: f64) -> Option<f64> {
     let (x1, v1) = (*knots.get(above)?, *values.get(above)?);
     let (x0, v0) = match above.checked_sub(1) {
         Some(below) => (knots[below], values[below]),
@@ -124,12 +128,18 @@ impl Densities {
         let [far, near] = FLANK;
         let factor = (near / far).powf(1.0 / STEPS as f64);
         let (mut reduced, mut s) = (0.0, far);
+        // The reduced pressure rises along the flank, and with it the tabulated one above it.
+        let mut above = 0;
         // Midpoint rule along the flank.
         for _ in 0..STEPS {
             let next = s * factor;
-            let slope = |reduced: f64, s: f64| {
+            let mut slope = |reduced: f64, s: f64| {
                 let film = 1.0 + s.powi(3);
-                let excess = interpolated(&self.reduced, &self.excess, reduced).unwrap_or(edge - 1.0);
+                while self.reduced.get(above).is_some_and(|knot| *knot < reduced) {
+                    above += 1;
+                }
+                let excess =
+                    interpolated_below(above, &self.reduced, &self.excess, reduced).unwrap_or(edge - 1.0);
                 let density = (1.0 + excess).min(edge);
                 2.0 * s * k * (density * film - edge).max(0.0) / film.powi(3)
             };
