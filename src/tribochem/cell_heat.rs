@@ -15,7 +15,7 @@ pub(super) fn heat_of_cell(x: f64, y: f64, half: [f64; 2], decay: f64) -> f64 {
     if is_cold(x, y, half, decay) {
         return 0.0;
     }
-    let (radius, longest) = (x.hypot(y), half[0].max(half[1]));
+    let (radius, longest) = (length(x, y), half[0].max(half[1]));
     let change = |distance: f64, half: f64| 2.0 * decay * half * distance;
     let is_smooth = radius >= FAR * longest
         && 2.0 * decay * longest * longest <= STRAIGHT * radius
@@ -29,7 +29,7 @@ pub(super) fn heat_of_cell(x: f64, y: f64, half: [f64; 2], decay: f64) -> f64 {
     for (x, y) in
         [(x - along, y - across), (x - along, y + across), (x + along, y - across), (x + along, y + across)]
     {
-        let radius = (x * x + y * y).sqrt();
+        let radius = length(x, y);
         sum += (-decay * lag(x, y, radius)).exp() / radius;
     }
     sum * half[0] * half[1]
@@ -39,7 +39,7 @@ pub(super) fn heat_of_cell(x: f64, y: f64, half: [f64; 2], decay: f64) -> f64 {
 pub(super) fn is_cold(x: f64, y: f64, half: [f64; 2], decay: f64) -> bool {
     // Its corner from which heat arrives first.
     let (x, y) = (x + half[0], (y.abs() - half[1]).max(0.0));
-    decay * lag(x, y, x.hypot(y)) > NO_HEAT
+    decay * lag(x, y, length(x, y)) > NO_HEAT
 }
 
 /// Integral of `exp[-decay (r - x)] / r` over the rectangle centred on `(x, y)` with half sides `half`.
@@ -67,6 +67,11 @@ fn side(d: f64, ends: [f64; 2], f: impl Fn(f64, f64) -> f64) -> f64 {
         f(t, t.hypot(distance))
     };
     d * adaptive(&along, (ends[0] / distance).asinh(), (ends[1] / distance).asinh(), MAX_DEPTH)
+}
+
+/// Length of a vector whose squares neither overflow nor vanish.
+fn length(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 /// `r - x` without cancellation downstream.

@@ -12,8 +12,8 @@ const STEPS: usize = 240;
 /// Ends of the flank, as roots of its gap over the contact film to the power 2/3. Beyond the far end are 6e-7 of the
 /// integral, within the near end 1e-9.
 const FLANK: [f64; 2] = [30.0, 0.02];
-/// Relative error of a tabulated rise.
-const RISE_TOLERANCE: f64 = 1e-12;
+/// Relative error of a tabulated rise; interpolation between the rises adds 2e-3.
+const RISE_TOLERANCE: f64 = 1e-8;
 /// Largest number of secant steps to a rise.
 const SECANT_STEPS: usize = 60;
 

@@ -75,16 +75,6 @@ impl Axis {
         }
     }
 
-    /// The value of the quantity under `conditions`.
-    pub(super) fn of(self, conditions: &Conditions) -> f64 {
-        match self {
-            Self::Speed => conditions.motion.entrainment_speed,
-            Self::SlideRollRatio => conditions.motion.slide_roll_ratio,
-            Self::Load => conditions.load,
-            Self::Temperature => conditions.bulk_temperature,
-        }
-    }
-
     /// Heading in the table on the terminal.
     pub(super) fn heading(self, line: bool) -> &'static str {
         match (self, line) {

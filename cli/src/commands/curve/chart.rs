@@ -1,7 +1,6 @@
 //! The picture of a curve, with resolved contacts beside it.
 
 use plotters::style::RGBColor;
-use stribeck::sim::ContactSolution;
 
 use super::Curve;
 use super::row::{Columns, QUANTITIES, Quantity, Row};
@@ -102,31 +101,12 @@ fn line(rows: &[Row], index: usize, columns: Columns, colour: RGBColor) -> Line 
     }
 }
 
-/// Means of a number over the surfaces, at each row of the curve.
-fn means(curve: &Curve<'_>, value: &dyn Fn(&ContactSolution) -> Option<f64>) -> Vec<(f64, f64)> {
-    let is_curve = |row: &Row, solution: &ContactSolution| {
-        solution.report.status == stribeck::Status::Converged
-            && solution.model.unwrap_or_default() == row.model
-    };
-    let points = curve.rows.iter().filter_map(|row| {
-        let at = curve
-            .points
-            .iter()
-            .filter(|point| curve.columns.over.of(&point.conditions).to_bits() == row.at.to_bits());
-        let values: Vec<f64> = at
-            .filter(|point| is_curve(row, &point.solution))
-            .filter_map(|point| value(&point.solution))
-            .collect();
-        let mean = values.iter().sum::<f64>() / values.len() as f64;
-        mean.is_finite().then(|| (place(curve.columns, row.at), mean))
-    });
-    points.collect()
-}
-
-/// Shares of the friction of solids and fluid, where both are there.
+/// Parts of solids and fluid in the friction, where both are there.
 fn friction_parts(curve: &Curve<'_>) -> Vec<Line> {
-    let solid = means(curve, &|solution| Some(solution.friction.boundary));
-    let fluid = means(curve, &|solution| Some(solution.friction.fluid));
+    let part = |index: usize| -> Vec<(f64, f64)> {
+        curve.rows.iter().map(|row| (place(curve.columns, row.at), row.friction_parts[index])).collect()
+    };
+    let [solid, fluid] = [part(0), part(1)];
     let some = |points: &[(f64, f64)]| points.iter().any(|point| point.1 > 0.0);
     if !(some(&solid) && some(&fluid)) {
         return Vec::new();

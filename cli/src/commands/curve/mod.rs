@@ -18,6 +18,7 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use stribeck::Status;
+use stribeck::elastic::HalfSpace;
 use stribeck::sim::scene::{GridSpec, Scene};
 use stribeck::sim::{Conditions, ContactSolution, SceneFile, SimError};
 
@@ -94,9 +95,12 @@ struct Curve<'a> {
     rows: Vec<Row>,
     /// Rows of the resolved model beside the curve.
     resolved: Vec<Row>,
-    points: Vec<Point>,
+    /// Status and numbers of each contact; their fields are not kept.
+    contacts: Vec<(Status, Value)>,
     plan: Plan,
     starts: Starts,
+    /// The elastic half-space of all surfaces, once one of them was solved by asperity inlets.
+    half_space: Option<HalfSpace>,
     /// The folder of the table was made for it.
     made_folder: bool,
     /// Fields of the warnings that were printed.
@@ -149,7 +153,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         };
         output::complain("error", &format!("interrupted after {done} of {all} {values}{rest}"));
     }
-    let all = curve.points.iter().all(|point| point.solution.report.status == Status::Converged);
+    let all = curve.contacts.iter().all(|(status, _)| *status == Status::Converged);
     Ok(if is_whole && all && curve.is_complete { Outcome::Converged } else { Outcome::NotConverged })
 }
 
@@ -207,7 +211,7 @@ impl<'a> Curve<'a> {
         let bar = ProgressBar::new(solves as u64).with_style(ProgressStyle::with_template(style)?);
         let said = scene.warnings().into_iter().map(|warning| warning.field).collect();
         let remarks = !is_sample && options.seeds.is_none() && surfaces::is_random(scene);
-        let (csv, rows, resolved, points) = ((path, file), Vec::new(), Vec::new(), Vec::new());
+        let (csv, rows, resolved, contacts) = ((path, file), Vec::new(), Vec::new(), Vec::new());
         let (plan, starts) = (Plan::new(options.model, scene), Starts::default());
         let is_complete = true;
         let mut curve = Self {
@@ -218,9 +222,10 @@ impl<'a> Curve<'a> {
             bar,
             rows,
             resolved,
-            points,
+            contacts,
             plan,
             starts,
+            half_space: None,
             made_folder,
             said,
             warnings: Vec::new(),
@@ -259,8 +264,8 @@ impl<'a> Curve<'a> {
                 written.extend(picture::write(&chart, &self.options.output.out, name)?);
             }
         }
-        if !self.points.is_empty() {
-            let numbers = self.to_json(start.elapsed().as_secs_f64())?;
+        if !self.contacts.is_empty() {
+            let numbers = self.to_json(start.elapsed().as_secs_f64());
             if let Some(path) = self.options.report.report.as_ref().filter(|_| !self.rows.is_empty()) {
                 report::write(self, (&numbers, is_whole), path)?;
                 written.push(path.clone());
@@ -273,22 +278,26 @@ impl<'a> Curve<'a> {
     }
 
     /// Each contact under the names of `solve`, with its conditions, and the rows of the table.
-    fn to_json(&self, seconds: f64) -> Result<Value, serde_json::Error> {
-        let mut list = Vec::with_capacity(self.points.len());
-        for point in &self.points {
-            let mut numbers = serde_json::to_value(&point.solution)?;
-            numbers["motion"] = serde_json::to_value(point.conditions.motion)?;
-            numbers["load"] = point.conditions.load.into();
-            numbers["bulk_temperature"] = point.conditions.bulk_temperature.into();
-            if self.columns.spread {
-                numbers["surface"] = point.surface.into();
-            }
-            list.push(numbers);
-        }
+    fn to_json(&self, seconds: f64) -> Value {
+        let contacts: Vec<_> = self.contacts.iter().map(|(_, numbers)| numbers).collect();
         let rows = self.rows.iter().chain(&self.resolved);
         let rows: Vec<_> = rows.map(|row| row.to_json(self.columns)).collect();
-        Ok(json!({
-            "points": list, "curve": rows, "seconds": seconds, "version": env!("CARGO_PKG_VERSION"),
-        }))
+        json!({
+            "points": contacts, "curve": rows, "seconds": seconds, "version": env!("CARGO_PKG_VERSION"),
+        })
+    }
+}
+
+impl Point {
+    /// The numbers of the contact under the names of `solve`, with its conditions; with its surface if there are several.
+    fn to_json(&self, has_surfaces: bool) -> Result<Value, serde_json::Error> {
+        let mut numbers = serde_json::to_value(&self.solution)?;
+        numbers["motion"] = serde_json::to_value(self.conditions.motion)?;
+        numbers["load"] = self.conditions.load.into();
+        numbers["bulk_temperature"] = self.conditions.bulk_temperature.into();
+        if has_surfaces {
+            numbers["surface"] = self.surface.into();
+        }
+        Ok(numbers)
     }
 }

@@ -22,8 +22,7 @@ pub(super) fn write(
     path: &Path,
 ) -> Result<(), Box<dyn Error>> {
     let (scene, columns) = (&curve.options.scene, curve.columns);
-    let statuses = curve.points.iter().map(|point| point.solution.report.status);
-    let status = statuses.into_iter().find(|status| *status != Status::Converged);
+    let status = curve.contacts.iter().map(|(status, _)| *status).find(|status| *status != Status::Converged);
     let title = columns.over.title().trim_end_matches(" of");
     let mut report = Report::new(scene, title, status.unwrap_or(Status::Converged))?;
     if !is_whole {

@@ -105,6 +105,8 @@ pub(super) struct Row {
     surfaces: usize,
     pub(super) model: SolverModel,
     pub(super) values: [Option<Value>; QUANTITIES.len()],
+    /// Means of the friction of solids and of the fluid, over the load.
+    pub(super) friction_parts: [f64; 2],
     /// Central film of the smooth contact by formula \[m\].
     pub(super) formula: Option<f64>,
 }
@@ -124,7 +126,10 @@ impl Row {
             Some(Value { mean, sd, error })
         });
         let model = solutions.first()?.model.unwrap_or_default();
-        Some(Self { at, surfaces: solutions.len(), model, values, formula })
+        let parts =
+            [all(|solution| Some(solution.friction.boundary)), all(|solution| Some(solution.friction.fluid))];
+        let friction_parts = parts.map(|part| part.and_then(|values| mean(&values)).unwrap_or(0.0));
+        Some(Self { at, surfaces: solutions.len(), model, values, friction_parts, formula })
     }
 
     /// Names and values of the columns; a value that is not known is `None`.
@@ -187,6 +192,7 @@ pub(super) fn csv_header(columns: Columns) -> String {
         surfaces: 0,
         model: SolverModel::Resolved,
         values: [None; QUANTITIES.len()],
+        friction_parts: [0.0; 2],
         formula: None,
     };
     let names = empty.cells(columns).into_iter().map(|(name, _)| name);

@@ -55,7 +55,7 @@ impl Curve<'_> {
                 // Outside of the model, or an error that the resolved solve repeats.
                 Err(_) => self.plan = Plan::Resolved,
             }
-            self.bar.set_position((self.points.len()) as u64);
+            self.bar.set_position(self.contacts.len() as u64);
             return self.solve_surfaces(scenes, (conditions, value), SolverModel::Resolved, held);
         }
         self.solve_surfaces(scenes, (conditions, value), self.plan.model(), held)
@@ -82,13 +82,22 @@ impl Curve<'_> {
                     held.print(&bar);
                     interrupt::is_requested()
                 });
-                let start = self.starts.of(surface).filter(|_| !model.is_resolved());
-                if let Some(start) = start { builder.contact_start(start) } else { builder }
+                if model.is_resolved() {
+                    return builder;
+                }
+                let builder = match &self.half_space {
+                    Some(half_space) => builder.deformation(half_space.clone()),
+                    None => builder,
+                };
+                if let Some(start) = self.starts.of(surface) { builder.contact_start(start) } else { builder }
             };
             let builders = group.iter().copied().map(builder).collect();
             for ((surface, _), solved) in group.iter().zip(surfaces::solve_together(builders)) {
                 match solved {
                     Ok(solution) => {
+                        if self.half_space.is_none() && !model.is_resolved() && !self.columns.errors {
+                            self.half_space = surfaces::half_space(&self.scene);
+                        }
                         self.starts.keep(*surface, &solution);
                         points.push(Point { conditions: *conditions, surface: *surface, solution });
                     }
@@ -132,7 +141,9 @@ impl Curve<'_> {
             );
             self.warn(text);
         }
-        self.points.extend(points);
+        for point in &points {
+            self.contacts.push((point.solution.report.status, point.to_json(self.columns.spread)?));
+        }
         Ok(())
     }
 

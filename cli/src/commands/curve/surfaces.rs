@@ -3,6 +3,7 @@
 use std::{panic, thread};
 
 use stribeck::InputError;
+use stribeck::elastic::HalfSpace;
 use stribeck::sim::scene::{GridSpec, Roughness, Scene};
 use stribeck::sim::{ContactSolution, SimBuilder, SimError};
 
@@ -32,6 +33,15 @@ pub(super) fn scenes(scene: &Scene, seeds: Option<u32>) -> Result<Vec<Scene>, In
         });
     }
     Ok((0..u64::from(seeds)).map(|number| with_seeds(scene, number)).collect())
+}
+
+/// The elastic half-space of a point contact on a fixed grid without a layer; `None` for any other.
+pub(super) fn half_space(scene: &Scene) -> Option<HalfSpace> {
+    let is_plain = matches!(scene.grid, GridSpec::Cells { .. }) && !scene.form.is_line();
+    if !is_plain || scene.elastic.layer.is_some() {
+        return None;
+    }
+    HalfSpace::new(scene.grid().ok()?, scene.equivalent_modulus().ok()?).ok()
 }
 
 /// How many of `count` surfaces are solved at once: one for each processor.
