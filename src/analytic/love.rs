@@ -90,12 +90,12 @@ pub fn rectangle_displacement(
 
 /// The potential for `x, y >= 0` and positive half sizes; recursive on the halves of a long rectangle.
 fn potential(x: f64, y: f64, half_x: f64, half_y: f64) -> f64 {
-    let distance = x * x + y * y;
-    let reach = half_x * half_x + half_y * half_y;
-    if distance > FAR * FAR * reach {
+    let distance = x.hypot(y);
+    let reach = half_x.hypot(half_y);
+    if distance > FAR * reach {
         return gauss(&GAUSS_4, x, y, half_x, half_y);
     }
-    if distance > MIDDLE * MIDDLE * reach {
+    if distance > MIDDLE * reach {
         return gauss(&GAUSS_8, x, y, half_x, half_y);
     }
     if half_x > MAX_ASPECT * half_y {
