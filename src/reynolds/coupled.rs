@@ -46,7 +46,7 @@ pub(super) struct Coupled {
     pub(super) fluid: Discretisation,
     /// Film without the plastic depth of this solve \[m\].
     pub(super) elastic_film: Vec<f64>,
-    /// `F` of every interior node \[m\].
+    /// Mass balance `F` of every interior node: its net outflow \[m\].
     pub(super) balance: Vec<f64>,
     /// State of each node.
     pub(super) active_set: Vec<NodeState>,

@@ -25,7 +25,8 @@ pub(crate) fn renew(rows: &[Row], folder: &Path) -> Result<(), Box<dyn Error>> {
     let path = folder.join("validation.md");
     let mut page = std::fs::read_to_string(&path)?;
     for row in rows {
-        page = renewed(&page, &row.trust_line(), |line| line.contains(&format!("](#{})", row.anchor())))
+        let is_own = |line: &str| line.starts_with('|') && line.contains(&format!("](#{})", row.anchor()));
+        page = renewed(&page, &row.trust_line(), is_own)
             .ok_or_else(|| format!("the table of all rows has no line that links to #{}", row.anchor()))?;
         page = replaced(&page, row.name, &row.table())?;
     }

@@ -57,12 +57,12 @@ impl Across {
     }
 
     /// Adds to the changes of flow by pressure in `out` those of entrainment, under the changes `mass` of the nodes
-    /// and `beyond` them; `advected` is the share that nodes advect along x, `upwind` are the coefficients of the
+    /// and `higher_order` corrections of them; `advected` is the share that nodes advect along x, `upwind` are the coefficients of the
     /// masses in each row.
     pub(super) fn add_entrainment(
         &mut self,
         mass: &[f32],
-        beyond: &[f32],
+        higher_order: &[f32],
         advected: &[f32],
         upwind: &[[f32; 2]],
         out: &mut [f32],
@@ -70,14 +70,14 @@ impl Across {
         let nx = self.nx;
         let Self { sweep_order, change, east_change, theta, .. } = self;
         for (j, [_, up]) in upwind.iter().enumerate() {
-            east_change[j * nx] = beyond[j * nx] - up * mass[j * nx];
+            east_change[j * nx] = higher_order[j * nx] - up * mass[j * nx];
         }
         for k in (1..nx - 1).flat_map(|i| sweep_order.downstream(i)) {
             let ([enters, leaves], sign, [here, up]) =
                 (sweep_order.faces(k), sweep_order.sign(k), upwind[k / nx]);
             let flow = out[k] - east_change[k - 1] - sign * change[enters];
             // Outflow of a full gap, along x and across it.
-            let (east, next) = (beyond[k] - up * mass[k], sign * change[leaves]);
+            let (east, next) = (higher_order[k] - up * mass[k], sign * change[leaves]);
             let stored = (here + up) * mass[k];
             out[k] = flow + stored + east + next;
             east_change[k] = east;

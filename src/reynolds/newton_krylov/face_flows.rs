@@ -45,7 +45,7 @@ pub(super) fn flow_changes(
 
 /// Changes of the entrainment through the faces to the east beyond the masses of their first nodes, in whole rows from
 /// node `first` on; the last node of the grid keeps its value.
-pub(super) fn beyond_changes(
+pub(super) fn higher_order_changes(
     derivatives: &[Vec<f32>; 5],
     [pressure, film]: [&[f32]; 2],
     first: usize,

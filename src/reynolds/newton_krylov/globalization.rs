@@ -6,7 +6,7 @@ use super::settings::{
 };
 use crate::reynolds::problem::LubricatedContact;
 
-/// Progress: a residual of at most this times the last one that was progress.
+/// Reduction of the residual that counts as progress.
 const PROGRESS: f64 = 0.5;
 /// Pseudo-transient term of a step over the time in which the surfaces pass one cell.
 const CELL_PASSAGE: f64 = 1.0;
@@ -24,13 +24,13 @@ pub(super) struct Globalization {
     largest_step_bound: f64,
     /// Pseudo-transient term of the next step and its reduction.
     pseudo_transient: (f64, f64),
-    /// The last residual that was progress, and the steps since.
-    halved: f64,
-    since_halved: u64,
+    /// The residual after the last progress, and the steps since.
+    progress_residual: f64,
+    steps_since_progress: u64,
     stall_window: u64,
     halvings: u32,
     /// Whether the residual has once not halved in [`BACKTRACK_AFTER`] steps.
-    is_tight: bool,
+    requires_decrease: bool,
 }
 
 /// The choices for one step.
@@ -67,15 +67,15 @@ impl Globalization {
             step_bound: largest_step_bound,
             largest_step_bound,
             pseudo_transient: settings.pseudo_transient,
-            halved: f64::INFINITY,
-            since_halved: 0,
+            progress_residual: f64::INFINITY,
+            steps_since_progress: 0,
             stall_window: settings.stall_window,
             halvings: if problem.grid().len() < FINE_GRID {
                 settings.halvings
             } else {
                 settings.halvings.min(1)
             },
-            is_tight: false,
+            requires_decrease: false,
         }
     }
 
@@ -116,7 +116,7 @@ impl Globalization {
     /// the dry contact are empty, and fill layer by layer where mass is conserved. Says whether it did.
     pub(super) fn restore_cavitation(&self, problem: &mut LubricatedContact<'_>, residual: f64) -> bool {
         let is_due = self.homotopy.is_active(problem)
-            && !self.homotopy.relaxes_film(problem)
+            && !self.homotopy.has_raised_cutoff(problem)
             && residual < self.warm_start_threshold;
         if is_due {
             self.homotopy.finish(problem);
@@ -128,33 +128,33 @@ impl Globalization {
     /// with a relaxed contact film do not count.
     pub(super) fn update_progress(&mut self, problem: &LubricatedContact<'_>, residual: f64) {
         // Residuals with another contact film do not compare.
-        if self.homotopy.relaxes_film(problem) {
+        if self.homotopy.has_raised_cutoff(problem) {
             return;
         }
-        self.since_halved += 1;
-        if residual <= PROGRESS * self.halved {
-            (self.halved, self.since_halved) = (residual, 0);
+        self.steps_since_progress += 1;
+        if residual <= PROGRESS * self.progress_residual {
+            (self.progress_residual, self.steps_since_progress) = (residual, 0);
         // Without progress the step bound shrinks, and residuals may no longer grow.
-        } else if self.since_halved.is_multiple_of(BACKTRACK_AFTER) {
+        } else if self.steps_since_progress.is_multiple_of(BACKTRACK_AFTER) {
             self.largest_step_bound *= 0.5;
             self.step_bound = self.step_bound.min(self.largest_step_bound);
-            self.is_tight = true;
+            self.requires_decrease = true;
         }
     }
 
     /// Whether the residual has not halved within the stall window.
     pub(super) fn has_stalled(&self) -> bool {
-        self.since_halved >= self.stall_window
+        self.steps_since_progress >= self.stall_window
     }
 
-    /// Chooses the next step from a state with `residual`, and lowers the contact film of `problem` on the way
-    /// of the homotopy.
+    /// Chooses the next step from a state with `residual`, and lowers the contact film of `problem` during
+    /// the homotopy.
     pub(super) fn begin_step(&mut self, problem: &mut LubricatedContact<'_>, residual: f64) -> StepControl {
         let is_homotopy = self.homotopy.is_active(problem);
         // A residual with another contact film is no measure of the step.
-        let growth = if self.homotopy.relaxes_film(problem) || !self.may_backtrack {
+        let growth = if self.homotopy.has_raised_cutoff(problem) || !self.may_backtrack {
             f64::INFINITY
-        } else if self.is_tight {
+        } else if self.requires_decrease {
             1.0
         } else {
             GROWTH
@@ -176,9 +176,9 @@ impl Globalization {
         }
     }
 
-    /// Share of the step under which no pressure changes by more than it may, `largest` \[Pa\] being the largest
-    /// change of the whole step.
-    pub(super) fn step_share(problem: &LubricatedContact<'_>, largest: f64) -> f64 {
+    /// Length of the step, at most one, under which no pressure changes by more than [`LARGEST_CHANGE`] allows; `largest`
+    /// \[Pa\] is the largest change under the full step.
+    pub(super) fn capped_step_length(problem: &LubricatedContact<'_>, largest: f64) -> f64 {
         let in_references = LARGEST_CHANGE * problem.reference_half_widths.0 / problem.grid().dx();
         (in_references * problem.reference_pressure / largest).min(1.0)
     }

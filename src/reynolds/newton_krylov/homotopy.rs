@@ -22,13 +22,13 @@ impl Homotopy {
         problem.cavitation = Cavitation::Reynolds;
     }
 
-    /// Whether `problem` has a target value not yet.
+    /// Whether the contact film or the cavitation of `problem` still differs from its target.
     pub(super) fn is_active(&self, problem: &LubricatedContact<'_>) -> bool {
-        self.relaxes_film(problem) || self.cavitation != problem.cavitation
+        self.has_raised_cutoff(problem) || self.cavitation != problem.cavitation
     }
 
     /// Whether the contact film of `problem` is above the target.
-    pub(super) fn relaxes_film(&self, problem: &LubricatedContact<'_>) -> bool {
+    pub(super) fn has_raised_cutoff(&self, problem: &LubricatedContact<'_>) -> bool {
         problem.film_cutoff > self.film_cutoff
     }
 

@@ -70,9 +70,9 @@ impl LinearSystem {
         {
             return Ok(None);
         }
-        // A row is solved to the rounding of its own numbers: it takes whole responses throughout.
+        // Line contacts are solved to the rounding of single precision, with padded convolutions throughout.
         let is_row = coupled.fluid.grid.ny() == 1;
-        let response = if is_row { Response::Whole } else { Response::Periodic };
+        let response = if is_row { Response::Padded } else { Response::Periodic };
         let mut at = Linearized { coupled, problem, linearization };
         preconditioner.border(unknowns, &mut at)?;
         let n = unknowns.len();

@@ -5,7 +5,7 @@
 //! balance of an isolated region, the small difference of large flows, keeps its digits.
 
 use super::across::Across;
-use super::face_flows::{FaceFlows, beyond_changes, flow_changes, single, store};
+use super::face_flows::{FaceFlows, flow_changes, higher_order_changes, single, store};
 use crate::grid::Grid;
 use crate::numerics::{FieldLines, STENCIL, for_each_range, map_lines, map_nodes};
 use crate::reynolds::flow::Discretisation;
@@ -22,9 +22,9 @@ pub(super) struct Linearization {
     north: FaceFlows,
     /// Of the entrainment through the face to the east of each node beyond the mass of that node, in schemes of
     /// higher order.
-    beyond: [Vec<f32>; 5],
+    higher_order: [Vec<f32>; 5],
     has_entrainment_corrections: bool,
-    beyond_change: Vec<f32>,
+    higher_order_change: Vec<f32>,
     /// Share of a change of inflow that nodes that are not filled advect downstream; zero elsewhere.
     advected: Vec<f32>,
     /// Coefficients of the masses of a node and of its upstream neighbor in each row, and those of the
@@ -47,9 +47,9 @@ impl Linearization {
             mass: [zeros(), zeros()],
             east: faces(),
             north: faces(),
-            beyond: std::array::from_fn(|_| zeros()),
+            higher_order: std::array::from_fn(|_| zeros()),
             has_entrainment_corrections: false,
-            beyond_change: zeros(),
+            higher_order_change: zeros(),
             advected: zeros(),
             upwind: vec![[0.0; 2]; grid.ny()],
             near: vec![[0.0; 2]; grid.ny()],
@@ -74,16 +74,16 @@ impl Linearization {
             }
         });
         map_nodes(&mut self.advected, |k, advected| *advected = single(fluid.advected_fraction(k)));
-        // Flow by pressure through the faces, and entrainment beyond the masses.
+        // Flow by pressure through the faces, and entrainment that the masses of the nodes do not determine.
         self.has_entrainment_corrections = fluid.has_entrainment_corrections();
         let has_corrections = self.has_entrainment_corrections;
         let east = self.east.each_mut().map(|field| FieldLines::new(field, nx));
-        let beyond = self.beyond.each_mut().map(|field| FieldLines::new(field, nx));
-        for_each_range((east, beyond), ny, n, |rows, (mut east, beyond)| {
-            let [own_p, up_p, own_h, next_h, up_h] = beyond;
+        let higher_order = self.higher_order.each_mut().map(|field| FieldLines::new(field, nx));
+        for_each_range((east, higher_order), ny, n, |rows, (mut east, higher_order)| {
+            let [own_p, up_p, own_h, next_h, up_h] = higher_order;
             for (i, k) in (rows.start * nx..rows.end * nx).enumerate() {
                 let (by_flow, derivatives) = fluid.east_derivatives(k, i % nx);
-                // Pressure flow through the face behind the node.
+                // Pressure flow through the face to the east.
                 store(&mut east, i, by_flow, stiffness);
                 if has_corrections {
                     // Entrainment through it that the masses of the nodes do not determine.
@@ -96,7 +96,7 @@ impl Linearization {
             }
         });
         if !has_corrections {
-            self.beyond_change.fill(0.0);
+            self.higher_order_change.fill(0.0);
         }
         let north = self.north.each_mut().map(|field| FieldLines::new(field, nx));
         for_each_range(north, ny - 1, n, |rows, mut north| {
@@ -130,23 +130,29 @@ impl Linearization {
         });
         if let Some(across) = &mut self.across {
             flow_changes(&across.faces, nx, [pressure, film], 0, &mut across.change);
-            across.add_entrainment(&self.mass_change, &self.beyond_change, &self.advected, &self.upwind, out);
+            across.add_entrainment(
+                &self.mass_change,
+                &self.higher_order_change,
+                &self.advected,
+                &self.upwind,
+                out,
+            );
         }
     }
 
     /// Changes of masses, of flows through faces and of entrainment beyond the masses.
     fn update_changes(&mut self, pressure: &[f32], film: &[f32]) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
-        let (east, north, beyond, has_corrections) =
-            (&self.east, &self.north, &self.beyond, self.has_entrainment_corrections);
+        let (east, north, higher_order, has_corrections) =
+            (&self.east, &self.north, &self.higher_order, self.has_entrainment_corrections);
         let [by_pressure, by_film] = &self.mass;
         let fields = (
             FieldLines::new(&mut self.mass_change, nx),
             FieldLines::new(&mut self.east_change, nx),
             FieldLines::new(&mut self.north_change, nx),
-            FieldLines::new(&mut self.beyond_change, nx),
+            FieldLines::new(&mut self.higher_order_change, nx),
         );
-        for_each_range(fields, ny, n, |rows, (mass, east_change, north_change, beyond_change)| {
+        for_each_range(fields, ny, n, |rows, (mass, east_change, north_change, higher_order_change)| {
             let (first, nodes) = (rows.start * nx, rows.start * nx..rows.end * nx);
             let derivatives = by_pressure[nodes.clone()].iter().zip(&by_film[nodes.clone()]);
             let changes = pressure[nodes.clone()].iter().zip(&film[nodes]);
@@ -155,7 +161,7 @@ impl Linearization {
             }
             flow_changes(east, 1, [pressure, film], first, east_change.values);
             if has_corrections {
-                beyond_changes(beyond, [pressure, film], first, beyond_change.values);
+                higher_order_changes(higher_order, [pressure, film], first, higher_order_change.values);
             }
             if ny > 1 {
                 flow_changes(north, nx, [pressure, film], first, north_change.values);
@@ -171,7 +177,7 @@ impl Linearization {
         let row = first..first + nx;
         let (mass, east, advected) =
             (&self.mass_change[row.clone()], &self.east_change[row.clone()], &self.advected[row.clone()]);
-        let (beyond, north) = (&self.beyond_change[row.clone()], &self.north_change[row]);
+        let (higher_order, north) = (&self.higher_order_change[row.clone()], &self.north_change[row]);
         // Flow by pressure through the faces.
         for i in 1..nx - 1 {
             out[i] = east[i] - east[i - 1];
@@ -192,11 +198,11 @@ impl Linearization {
         }
         // Entrainment, downstream: nodes that are not filled advect their inflow.
         let [here, up] = self.upwind[j];
-        let mut inflow = beyond[0] - up * mass[0];
+        let mut inflow = higher_order[0] - up * mass[0];
         for i in 1..nx - 1 {
             let flow = out[i] - inflow;
-            out[i] = flow + here * mass[i] + beyond[i];
-            inflow = if advected[i] > 0.0 { -advected[i] * flow } else { beyond[i] - up * mass[i] };
+            out[i] = flow + here * mass[i] + higher_order[i];
+            inflow = if advected[i] > 0.0 { -advected[i] * flow } else { higher_order[i] - up * mass[i] };
         }
     }
 

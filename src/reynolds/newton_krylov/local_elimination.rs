@@ -3,7 +3,7 @@
 use std::mem::take;
 
 use super::isolated_regions::IsolatedRegions;
-use super::node::{Material, NodeBalance, NodePrediction, NodeSolution};
+use super::node::{NodeBalance, NodeParameters, NodePrediction, NodeSolution};
 use super::prediction::{PredictedNode, Prediction};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
@@ -77,7 +77,7 @@ fn eliminate_nodes(
                 let k = first + i;
                 let (side, predicted) = (sides.values[i], prediction.node(k));
                 let limit = limits.map_or(f64::INFINITY, |limit| limit[k]);
-                let material = Material { contact_film, limit, own_influence, step_bound };
+                let material = NodeParameters { contact_film, limit, own_influence, step_bound };
                 // An open node with small changes takes its prediction; the others solve their local equations.
                 let solution = material.settled(side, film[k], balance[k], &predicted).unwrap_or_else(|| {
                     eliminate(material, (fluid, lubricant), (k, side), (film[k], balance[k]), &predicted)
@@ -94,7 +94,7 @@ fn eliminate_nodes(
 
 /// The solution of the own equations of node `k` in the state `side`, with its film and balance at the start of the step.
 fn eliminate(
-    material: Material,
+    material: NodeParameters,
     (fluid, lubricant): (&Discretisation, Option<&Lubricant>),
     (k, side): (usize, NodeState),
     (film, balance): (f64, f64),

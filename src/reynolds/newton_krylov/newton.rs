@@ -63,7 +63,7 @@ impl Newton {
                 self.coupled.fluid.configure(problem);
                 self.residuals = self.coupled.evaluate(problem, state, Changed::Film)?;
             }
-            // Check convergence; residuals on the way of the homotopy are those of other equations.
+            // Check convergence; residuals during the homotopy belong to a modified problem.
             self.record.history.push(self.residuals);
             if !globalization.is_homotopy(problem) {
                 self.record.keep_if_best(self.residuals, &self.coupled, state);
@@ -104,7 +104,7 @@ impl Newton {
         state: &mut ContactState,
         control: StepControl,
     ) -> Result<f64, ReynoldsError> {
-        let whole = Globalization::step_share(problem, self.system.largest_pressure_change());
+        let capped_length = Globalization::capped_step_length(problem, self.system.largest_pressure_change());
         self.start.save(&self.coupled, state);
         let mut error = 0.0;
         for length in control.step_lengths() {
@@ -113,7 +113,7 @@ impl Newton {
                 self.start.restore(&mut self.coupled, problem, state)?;
                 clamp_film_to_contact(&mut self.coupled, problem, state);
             }
-            error = self.advance(problem, state, length * whole, length * control.step_bound)?;
+            error = self.advance(problem, state, length * capped_length, length * control.step_bound)?;
             // Accept the step as soon as the residual is low enough.
             if self.residuals.max() <= control.acceptable {
                 break;
@@ -137,7 +137,7 @@ impl Newton {
         state.approach += prediction.approach_change();
         // Elastic films by one convolution.
         coupled.displace(problem, state)?;
-        // A line contact shifts its approach by the mean rise: its pressures move all films alike.
+        // A line contact shifts its approach by the mean rise: one pressure shifts all of its films almost uniformly.
         if coupled.fluid.grid.ny() == 1 {
             let rise = prediction.mean_rise(coupled, state);
             state.approach += rise;

@@ -55,9 +55,9 @@ impl NodeSolution {
     }
 }
 
-/// Constants of a node's own equations.
+/// Film, limit, compliance and step bound in a node's own equations.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Material {
+pub(super) struct NodeParameters {
     pub(super) contact_film: f64,
     pub(super) limit: f64,
     /// Film per own pressure \[m/Pa\].
@@ -66,7 +66,7 @@ pub(super) struct Material {
     pub(super) step_bound: f64,
 }
 
-impl Material {
+impl NodeParameters {
     /// The predicted state of an open node whose changes over the step are small ([`SETTLED_CHANGE`]); `None` for a
     /// node that has to solve its own equations. `film` and `balance` are those at the start of the step.
     pub(super) fn settled(
@@ -108,8 +108,8 @@ impl Material {
     }
 }
 
-/// The own share of a mass balance as a function of own pressure and film, neighbors and the films of the faces
-/// over those of their first nodes held: `M rho(p) h + sum over faces of c a(p, h) (phi(p) - phi_o)`.
+/// The own share of a mass balance as a function of own pressure and film, with the neighbors and the corrections of
+/// face films held: `M rho(p) h + sum over faces of c a(p, h) (phi(p) - phi_o)`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NodeBalance<'a> {
     lubricant: &'a Lubricant,
@@ -155,8 +155,8 @@ impl<'a> NodeBalance<'a> {
     /// open with pressure `v` once that exceeds the pressure `touch` at which the film is the contact film, and
     /// fluid at the limit with plastic depth `(v - limit)` times the self-influence. The share increases with
     /// `v`, except where a node that opens admits more fluid than leaves it.
-    pub(super) fn eliminate(&self, material: Material, prediction: NodePrediction) -> NodeSolution {
-        let Material { contact_film, limit, own_influence, step_bound } = material;
+    pub(super) fn eliminate(&self, material: NodeParameters, prediction: NodePrediction) -> NodeSolution {
+        let NodeParameters { contact_film, limit, own_influence, step_bound } = material;
         let touch = prediction.pressure + (contact_film - prediction.elastic_film) / own_influence;
         let opening = touch.min(limit);
         if self.admits_fluid(material, prediction, opening) {
@@ -202,8 +202,8 @@ impl<'a> NodeBalance<'a> {
     }
 
     /// Whether more fluid enters the node at the contact film than leaves it, and more leaves as it opens.
-    fn admits_fluid(&self, material: Material, prediction: NodePrediction, opening: f64) -> bool {
-        let Material { contact_film, limit, .. } = material;
+    fn admits_fluid(&self, material: NodeParameters, prediction: NodePrediction, opening: f64) -> bool {
+        let NodeParameters { contact_film, limit, .. } = material;
         let inside = 0.0..limit;
         if !inside.contains(&opening) || !inside.contains(&prediction.pressure) || prediction.depth > 0.0 {
             return false;
@@ -267,8 +267,8 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const MATERIAL: Material =
-        Material { contact_film: 1e-9, limit: 2e9, own_influence: 2e-17, step_bound: 1e8 };
+    const MATERIAL: NodeParameters =
+        NodeParameters { contact_film: 1e-9, limit: 2e9, own_influence: 2e-17, step_bound: 1e8 };
 
     #[test]
     fn dry_node_is_open_in_contact_or_yielded() {

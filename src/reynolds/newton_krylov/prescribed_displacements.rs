@@ -27,7 +27,7 @@ pub(super) struct PrescribedDisplacements {
     nodes: Vec<u32>,
     /// Square root of the share of a node's pressure that is found from its film.
     weights: Vec<f64>,
-    /// None on a line, whose response has no length to fall off in.
+    /// None on a line, whose logarithmic response does not decay over a length.
     coarse: Option<CoarseFilms>,
     /// Bits of the influences of the body for which the blocks were made.
     influences: [u64; 4],

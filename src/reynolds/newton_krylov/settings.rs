@@ -75,7 +75,7 @@ impl Default for NewtonSettings {
 
 // Linear systems.
 
-/// Krylov steps of a linear solve: 1 to 5 are usual; half as many change nothing on the map of stability.
+/// Krylov steps of a linear solve: 1 to 5 are usual; half as many change nothing on the stability map.
 const KRYLOV_STEPS: usize = 100;
 /// Directions of a linear solve whose film changes are kept: most solves take no more, and where one does, a
 /// convolution is little of it.

@@ -29,9 +29,9 @@ use crate::reynolds::state::ContactState;
 /// Accuracy of elastic responses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Response {
-    /// Single precision.
-    Whole,
-    /// Some per cent at large distances, at a quarter of the cost.
+    /// Convolution on the padded grid, in single precision.
+    Padded,
+    /// Convolution on the periodic grid: some per cent off at large distances, at a quarter of the cost.
     Periodic,
 }
 
@@ -247,7 +247,7 @@ impl Unknowns {
             self.balance.fill(0.0);
         } else {
             out.fill(0.0);
-            self.scatter_step(at, out, Response::Whole)?;
+            self.scatter_step(at, out, Response::Padded)?;
         }
         let changes = self.pinned.iter().map(|(_, [change, _])| change).sum::<f64>();
         let carried = (state.pressure.iter().sum::<f64>() + changes) / self.pressure_unit * self.cell_load;

@@ -1,7 +1,7 @@
 //! Newton's method on the mass balances of a few cells, everything around held.
 
 use super::linearization::Linearization;
-use super::node::{Material, NodeBalance, NodePrediction, NodeSolution};
+use super::node::{NodeBalance, NodeParameters, NodePrediction, NodeSolution};
 use super::prediction::Prediction;
 use super::settings::{REGION_SHARE, REGION_STEPS};
 use super::weak_coupling::is_weakly_coupled;
@@ -205,7 +205,7 @@ impl Window {
             let change = f64::from(self.pressure_change[q]) * problem.reference_pressure;
             let film_change = f64::from(self.film_change[q]) * film_unit;
             let own_change = if side.solid == Solid::Open { [change, film_change] } else { [0.0; 2] };
-            let material = Material {
+            let material = NodeParameters {
                 contact_film: problem.contact_film(),
                 limit: problem.limit_at(self.place.node(q)),
                 own_influence: own,

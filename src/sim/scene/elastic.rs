@@ -1,4 +1,4 @@
-//! Elastic constants of the pair, of a layer on the disc and of tribofilms.
+//! Elastic constants of the pair, of a layer on ball or disc and of tribofilms.
 
 use super::{BODIES, Scene};
 #[cfg(feature = "serde")]

@@ -14,7 +14,7 @@ impl Unknowns {
         response: Response,
     ) -> Result<(), InputError> {
         match response {
-            Response::Whole => {
+            Response::Padded => {
                 at.problem.deformation.displacement_single(&self.pressure, &mut self.elastic)?;
                 at.coupled.convolutions += 1.0;
             }

@@ -150,7 +150,7 @@ fn check_product(
     let mut product = vec![0.0; x.len()];
     let mut at =
         Linearized { coupled: &mut coupled, problem: &mut problem, linearization: &mut linearization };
-    unknowns.product(&mut at, &x, Response::Whole, &mut product).unwrap();
+    unknowns.product(&mut at, &x, Response::Padded, &mut product).unwrap();
     let scale = product[..x.len() - 1].iter().fold(0.0_f32, |m, v| m.max(v.abs()));
     for (row, (up, down)) in up.iter().zip(&down).enumerate() {
         let scale = if row == x.len() - 1 { 1.0 } else { f64::from(scale) };
