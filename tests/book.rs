@@ -90,8 +90,9 @@ fn default_settings_of_newton_in_the_book_are_those_of_the_code() {
         let stated = line.and_then(|line| line.split('|').nth(3)).unwrap();
         assert!(stated.contains(&default), "{row}: {default} is not in `{stated}`");
     }
-    let least_step = percent(settings.least_film_ratio - 1.0);
-    assert!(page.contains(&format!("half of a failed step would be below {least_step}.")), "{least_step}");
+    let least_ratio =
+        format!("the next ratio of film cut-offs would be below {}.", settings.least_film_ratio);
+    assert!(page.contains(&least_ratio), "{least_ratio}");
 }
 
 /// A file of tests that no program names would not run.
