@@ -71,18 +71,25 @@ fn eliminate_nodes(
         fields,
         grid.ny(),
         grid.len(),
-        |rows, (sides, pressure, fluid_pressure, plastic_depth)| {
+        |rows, (node_states, pressure, fluid_pressure, plastic_depth)| {
             let first = rows.start * nx;
-            for i in 0..sides.values.len() {
+            for i in 0..node_states.values.len() {
                 let k = first + i;
-                let (side, predicted) = (sides.values[i], prediction.node(k));
+                let (node_state, predicted) = (node_states.values[i], prediction.node(k));
                 let limit = limits.map_or(f64::INFINITY, |limit| limit[k]);
-                let material = NodeParameters { contact_film, limit, own_influence, step_bound };
+                let parameters = NodeParameters { contact_film, limit, own_influence, step_bound };
                 // An open node with small changes takes its prediction; the others solve their local equations.
-                let solution = material.settled(side, film[k], balance[k], &predicted).unwrap_or_else(|| {
-                    eliminate(material, (fluid, lubricant), (k, side), (film[k], balance[k]), &predicted)
-                });
-                sides.values[i] = solution.side;
+                let solution =
+                    parameters.settled(node_state, film[k], balance[k], &predicted).unwrap_or_else(|| {
+                        eliminate(
+                            parameters,
+                            (fluid, lubricant),
+                            (k, node_state),
+                            (film[k], balance[k]),
+                            &predicted,
+                        )
+                    });
+                node_states.values[i] = solution.node_state;
                 pressure.values[i] = solution.pressure;
                 fluid_pressure.values[i] = solution.fluid_pressure;
                 plastic_depth.values[i] = solution.depth;
@@ -92,25 +99,25 @@ fn eliminate_nodes(
     coupled.active_set = active_set;
 }
 
-/// The solution of the own equations of node `k` in the state `side`, with its film and balance at the start of the step.
+/// The solution of the own equations of node `k` in the state `node_state`, with its film and balance at the start of the step.
 fn eliminate(
-    material: NodeParameters,
+    parameters: NodeParameters,
     (fluid, lubricant): (&Discretisation, Option<&Lubricant>),
-    (k, side): (usize, NodeState),
+    (k, node_state): (usize, NodeState),
     (film, balance): (f64, f64),
     predicted: &PredictedNode,
 ) -> NodeSolution {
     let PredictedNode { pressure, fluid_pressure, elastic_film, depth, change } = *predicted;
     match lubricant {
-        Some(lubricant) if side.fluid != Fluid::Boundary => {
+        Some(lubricant) if node_state.fluid != Fluid::Boundary => {
             // The outflow that the linear step predicts for the node as a function of its own pressure.
             let own = NodeBalance::new(fluid, lubricant, k);
-            let imbalance = if side.has_balance() { 0.0 } else { balance + change.balance };
+            let imbalance = if node_state.has_balance() { 0.0 } else { balance + change.balance };
             let share = own.predicted_share(film, [change.fluid_pressure, change.film], imbalance);
-            let depth = if side.fluid == Fluid::AtLimit { depth } else { 0.0 };
+            let depth = if node_state.fluid == Fluid::AtLimit { depth } else { 0.0 };
             // Its own pressure, film and place in the active set.
-            own.eliminate(material, NodePrediction { pressure, fluid_pressure, elastic_film, depth, share })
+            own.eliminate(parameters, NodePrediction { pressure, fluid_pressure, elastic_film, depth, share })
         }
-        _ => material.eliminate_dry(side.fluid, pressure, elastic_film),
+        _ => parameters.eliminate_dry(node_state.fluid, pressure, elastic_film),
     }
 }

@@ -38,7 +38,7 @@ pub(super) struct NodePrediction {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NodeSolution {
     /// Its state in the active set.
-    pub(super) side: NodeState,
+    pub(super) node_state: NodeState,
     pub(super) pressure: f64,
     pub(super) fluid_pressure: f64,
     /// Plastic depth of a node whose fluid is at the limit, zero otherwise \[m\].
@@ -48,7 +48,7 @@ pub(super) struct NodeSolution {
 impl NodeSolution {
     /// Overwrites node `k`.
     pub(super) fn write(self, k: usize, coupled: &mut Coupled, state: &mut ContactState) {
-        coupled.active_set[k] = self.side;
+        coupled.active_set[k] = self.node_state;
         state.pressure[k] = self.pressure;
         state.fluid_pressure[k] = self.fluid_pressure;
         state.plastic_depth[k] = self.depth;
@@ -71,17 +71,18 @@ impl NodeParameters {
     /// node that has to solve its own equations. `film` and `balance` are those at the start of the step.
     pub(super) fn settled(
         &self,
-        side: NodeState,
+        node_state: NodeState,
         film: f64,
         balance: f64,
         predicted: &PredictedNode,
     ) -> Option<NodeSolution> {
         let PredictedNode { pressure, elastic_film, change, .. } = *predicted;
-        let is_open = side.solid == Solid::Open && elastic_film > (1.0 + SETTLED_CHANGE) * self.contact_film;
+        let is_open =
+            node_state.solid == Solid::Open && elastic_film > (1.0 + SETTLED_CHANGE) * self.contact_film;
         if !is_open || change.film.abs() > SETTLED_CHANGE * film {
             return None;
         }
-        let is_settled = match side.fluid {
+        let is_settled = match node_state.fluid {
             Fluid::Active => {
                 let is_fluid = pressure > 0.0 && pressure < self.limit;
                 is_fluid && change.fluid_pressure.abs() <= SETTLED_CHANGE * pressure
@@ -91,10 +92,10 @@ impl NodeParameters {
             Fluid::Boundary | Fluid::AtLimit => false,
         };
         let pressure = pressure.max(0.0);
-        is_settled.then_some(NodeSolution { side, pressure, fluid_pressure: pressure, depth: 0.0 })
+        is_settled.then_some(NodeSolution { node_state, pressure, fluid_pressure: pressure, depth: 0.0 })
     }
 
-    /// The solution without fluid pressure, the fluid side being given: open, or contact below or at the limit.
+    /// The solution without fluid pressure, the state of the fluid being given: open, or contact below or at the limit.
     pub(super) fn eliminate_dry(&self, fluid: Fluid, pressure: f64, elastic_film: f64) -> NodeSolution {
         let touch = pressure + (self.contact_film - elastic_film) / self.own_influence;
         let (solid, pressure) = if touch <= 0.0 {
@@ -104,7 +105,7 @@ impl NodeParameters {
         } else {
             (Solid::Contact, pressure.clamp(0.0, self.limit))
         };
-        NodeSolution { side: NodeState { fluid, solid }, pressure, fluid_pressure: 0.0, depth: 0.0 }
+        NodeSolution { node_state: NodeState { fluid, solid }, pressure, fluid_pressure: 0.0, depth: 0.0 }
     }
 }
 
@@ -155,16 +156,16 @@ impl<'a> NodeBalance<'a> {
     /// open with pressure `v` once that exceeds the pressure `touch` at which the film is the contact film, and
     /// fluid at the limit with plastic depth `(v - limit)` times the self-influence. The share increases with
     /// `v`, except where a node that opens admits more fluid than leaves it.
-    pub(super) fn eliminate(&self, material: NodeParameters, prediction: NodePrediction) -> NodeSolution {
-        let NodeParameters { contact_film, limit, own_influence, step_bound } = material;
+    pub(super) fn eliminate(&self, parameters: NodeParameters, prediction: NodePrediction) -> NodeSolution {
+        let NodeParameters { contact_film, limit, own_influence, step_bound } = parameters;
         let touch = prediction.pressure + (contact_film - prediction.elastic_film) / own_influence;
         let opening = touch.min(limit);
-        if self.admits_fluid(material, prediction, opening) {
+        if self.admits_fluid(parameters, prediction, opening) {
             // A streak of such nodes opens together: each keeps the predicted pressure, and the next linear
             // step, which couples them, lifts them.
-            let (pressure, side) =
+            let (pressure, node_state) =
                 (prediction.pressure, NodeState { fluid: Fluid::Active, solid: Solid::Open });
-            return NodeSolution { side, pressure, fluid_pressure: pressure, depth: 0.0 };
+            return NodeSolution { node_state, pressure, fluid_pressure: pressure, depth: 0.0 };
         }
         let film = |v: f64| contact_film + own_influence * (v - opening).max(0.0);
         let value = |v: f64| {
@@ -189,21 +190,21 @@ impl<'a> NodeBalance<'a> {
         if v > limit {
             let depth =
                 (film(v) - prediction.elastic_film - own_influence * (limit - prediction.pressure)).max(0.0);
-            let side = NodeState { fluid: Fluid::AtLimit, solid: Solid::Open };
-            NodeSolution { side, pressure: limit, fluid_pressure: limit, depth }
+            let node_state = NodeState { fluid: Fluid::AtLimit, solid: Solid::Open };
+            NodeSolution { node_state, pressure: limit, fluid_pressure: limit, depth }
         } else if v < opening {
             let solid = if touch >= limit { Solid::Yielded } else { Solid::Contact };
             let pressure = if solid == Solid::Yielded { limit } else { prediction.pressure.clamp(v, limit) };
-            NodeSolution { side: NodeState { fluid, solid }, pressure, fluid_pressure: v, depth: 0.0 }
+            NodeSolution { node_state: NodeState { fluid, solid }, pressure, fluid_pressure: v, depth: 0.0 }
         } else {
-            let side = NodeState { fluid, solid: Solid::Open };
-            NodeSolution { side, pressure: v, fluid_pressure: v, depth: 0.0 }
+            let node_state = NodeState { fluid, solid: Solid::Open };
+            NodeSolution { node_state, pressure: v, fluid_pressure: v, depth: 0.0 }
         }
     }
 
     /// Whether more fluid enters the node at the contact film than leaves it, and more leaves as it opens.
-    fn admits_fluid(&self, material: NodeParameters, prediction: NodePrediction, opening: f64) -> bool {
-        let NodeParameters { contact_film, limit, .. } = material;
+    fn admits_fluid(&self, parameters: NodeParameters, prediction: NodePrediction, opening: f64) -> bool {
+        let NodeParameters { contact_film, limit, .. } = parameters;
         let inside = 0.0..limit;
         if !inside.contains(&opening) || !inside.contains(&prediction.pressure) || prediction.depth > 0.0 {
             return false;
@@ -273,13 +274,13 @@ mod tests {
     #[test]
     fn dry_node_is_open_in_contact_or_yielded() {
         // The film is the contact film at 500 MPa, never, and beyond the limit.
-        for (film, side, pressure) in [
+        for (film, solid, pressure) in [
             (1e-9, Solid::Contact, 5e8),
             (1e-9 + 2e-17 * 6e8, Solid::Open, 0.0),
             (1e-9 - 2e-17 * 2e9, Solid::Yielded, 2e9),
         ] {
             let node = MATERIAL.eliminate_dry(Fluid::Cavitated, 5e8, film);
-            assert_eq!((node.side.solid, node.pressure), (side, pressure));
+            assert_eq!((node.node_state.solid, node.pressure), (solid, pressure));
             assert!(node.fluid_pressure.abs() < f64::MIN_POSITIVE);
         }
     }

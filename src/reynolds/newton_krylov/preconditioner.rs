@@ -76,7 +76,7 @@ impl BlockPreconditioner {
         problem: &LubricatedContact<'_>,
     ) -> bool {
         // Solid contact screens the pressures of the fluid.
-        self.screened = coupled.active_set.iter().any(|side| side.is_contact());
+        self.screened = coupled.active_set.iter().any(|node_state| node_state.is_contact());
         // Nodes with prescribed films. On a line the inverse of the logarithmic kernel is too poor for pressures
         // from films.
         if problem.lubricant.is_some() && coupled.fluid.grid.ny() > 1 {

@@ -162,22 +162,22 @@ impl Unknowns {
         self.balanced.clear();
         push_all(&mut self.balanced, &coupled.active_set, NodeState::is_open_fluid);
         self.limited_from = self.balanced.len();
-        push_all(&mut self.balanced, &coupled.active_set, |side| side.fluid == Fluid::AtLimit);
+        push_all(&mut self.balanced, &coupled.active_set, |node_state| node_state.fluid == Fluid::AtLimit);
         self.contact_from = self.balanced.len();
-        push_all(&mut self.balanced, &coupled.active_set, |side| {
-            side.has_fluid_pressure() && side.is_contact()
+        push_all(&mut self.balanced, &coupled.active_set, |node_state| {
+            node_state.has_fluid_pressure() && node_state.is_contact()
         });
         self.contact.clear();
-        push_all(&mut self.contact, &coupled.active_set, |side| side.solid == Solid::Contact);
+        push_all(&mut self.contact, &coupled.active_set, |node_state| node_state.solid == Solid::Contact);
         self.yielded.clear();
-        push_all(&mut self.yielded, &coupled.active_set, |side| side.solid == Solid::Yielded);
+        push_all(&mut self.yielded, &coupled.active_set, |node_state| node_state.solid == Solid::Yielded);
         // Prescribed changes: pressures that vanish, and those at the limit.
         self.pinned.clear();
-        for (k, side) in coupled.active_set.iter().enumerate() {
+        for (k, node_state) in coupled.active_set.iter().enumerate() {
             let (total, fluid) = (state.pressure[k], state.fluid_pressure[k]);
-            let drop = if side.has_balance() { 0.0 } else { -fluid };
-            let pinned = match side.solid {
-                Solid::Open => [if side.has_balance() { 0.0 } else { -total }, drop],
+            let drop = if node_state.has_balance() { 0.0 } else { -fluid };
+            let pinned = match node_state.solid {
+                Solid::Open => [if node_state.has_balance() { 0.0 } else { -total }, drop],
                 Solid::Contact => [0.0, drop],
                 Solid::Yielded => [problem.limit_at(k) - total, drop],
             };
@@ -297,5 +297,7 @@ impl Unknowns {
 }
 
 fn push_all(nodes: &mut Vec<u32>, active_set: &[NodeState], wanted: impl Fn(NodeState) -> bool) {
-    nodes.extend(active_set.iter().enumerate().filter(|(_, side)| wanted(**side)).map(|(k, _)| k as u32));
+    nodes.extend(
+        active_set.iter().enumerate().filter(|(_, node_state)| wanted(**node_state)).map(|(k, _)| k as u32),
+    );
 }

@@ -53,8 +53,8 @@ impl Window {
     pub(super) fn new(whole: &Grid, side: usize) -> Self {
         let grid = whole.corner(side.min(whole.nx()), side.min(whole.ny()));
         let n = grid.len();
-        let side = NodeState { fluid: Fluid::Boundary, solid: Solid::Open };
-        let node = NodeSolution { side, pressure: 0.0, fluid_pressure: 0.0, depth: 0.0 };
+        let node_state = NodeState { fluid: Fluid::Boundary, solid: Solid::Open };
+        let node = NodeSolution { node_state, pressure: 0.0, fluid_pressure: 0.0, depth: 0.0 };
         Self {
             grid,
             place: WindowPlace::new(whole, &grid),
@@ -94,7 +94,7 @@ impl Window {
             let k = self.place.node(q);
             self.nodes[q] = NodeSolution {
                 // Outermost nodes keep the pressure of the edge.
-                side: coupled.active_set[k],
+                node_state: coupled.active_set[k],
                 pressure: state.pressure[k],
                 fluid_pressure: if coupled.active_set[k].fluid == Fluid::Boundary {
                     problem.edge_pressure_at(k)
@@ -134,8 +134,8 @@ impl Window {
         self.flow(problem, lubricant, near.own);
         // Choose the nodes.
         for q in 0..self.grid.len() {
-            let side = self.nodes[q].side;
-            self.chosen[q] = self.place.is_core(q) && is_weakly_coupled(&self.fluid, side, q, near);
+            let node_state = self.nodes[q].node_state;
+            self.chosen[q] = self.place.is_core(q) && is_weakly_coupled(&self.fluid, node_state, q, near);
         }
         let before = self.residual_norm(problem);
         let mut least = before;
@@ -167,7 +167,7 @@ impl Window {
             self.elastic_film[q] = elastic_film;
             self.pressure[q] = node.fluid_pressure;
             // The film by the state of the node: contact, plastic depth of fluid or solid, open.
-            self.film[q] = match (node.side.fluid, node.side.solid) {
+            self.film[q] = match (node.node_state.fluid, node.node_state.solid) {
                 (_, Solid::Contact) => contact_film,
                 (Fluid::AtLimit, _) => elastic_film + node.depth,
                 (_, Solid::Yielded) => elastic_film.max(contact_film),
@@ -201,10 +201,10 @@ impl Window {
         let previous = previous(problem, &self.previous_mass);
         for q in (0..self.grid.len()).filter(|&q| self.chosen[q]) {
             // Predict the node.
-            let NodeSolution { side, pressure, fluid_pressure, .. } = self.nodes[q];
+            let NodeSolution { node_state, pressure, fluid_pressure, .. } = self.nodes[q];
             let change = f64::from(self.pressure_change[q]) * problem.reference_pressure;
             let film_change = f64::from(self.film_change[q]) * film_unit;
-            let own_change = if side.solid == Solid::Open { [change, film_change] } else { [0.0; 2] };
+            let own_change = if node_state.solid == Solid::Open { [change, film_change] } else { [0.0; 2] };
             let material = NodeParameters {
                 contact_film: problem.contact_film(),
                 limit: problem.limit_at(self.place.node(q)),
@@ -213,7 +213,7 @@ impl Window {
             };
             let own_balance = NodeBalance::new(&self.fluid, lubricant, q);
             let balance = self.fluid.balance(q, previous);
-            let imbalance = if side.has_balance() {
+            let imbalance = if node_state.has_balance() {
                 balance - self.fluid.imbalance(q, previous)
             } else {
                 balance + f64::from(self.balance_change[q]) * film_unit
@@ -227,7 +227,7 @@ impl Window {
             };
             // Solve its own equations, near the prediction of the whole step.
             let mut node = own_balance.eliminate(material, prediction);
-            if node.side.solid == Solid::Open && node.side.fluid == Fluid::Active {
+            if node.node_state.solid == Solid::Open && node.node_state.fluid == Fluid::Active {
                 let [predicted, _] = self.predicted[q];
                 node.pressure =
                     node.pressure.clamp((predicted - step_bound).max(0.0), predicted.max(0.0) + step_bound);
@@ -247,8 +247,8 @@ impl Window {
         self.is_coupled.fill(false);
         for (q, node) in self.nodes.iter().enumerate() {
             // A chosen node with a balance has a pressure; one in contact has a fixed film.
-            let has_balance = self.chosen[q] && node.side.has_balance();
-            self.dof_map[q] = [has_balance, has_balance && !node.side.is_contact()].map(f32::from);
+            let has_balance = self.chosen[q] && node.node_state.has_balance();
+            self.dof_map[q] = [has_balance, has_balance && !node.node_state.is_contact()].map(f32::from);
             if has_balance {
                 self.linearization.mark_coupled(q, |up| self.chosen[up], &mut self.is_coupled);
             }
