@@ -125,7 +125,7 @@ impl Globalization {
     }
 
     /// Takes the residual of a state. Without a halved residual for long, the step bound is tightened. States
-    /// with a relaxed contact film do not count.
+    /// with a raised contact film do not count.
     pub(super) fn update_progress(&mut self, problem: &LubricatedContact<'_>, residual: f64) {
         // Residuals with another contact film do not compare.
         if self.homotopy.has_raised_cutoff(problem) {

@@ -268,7 +268,7 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const MATERIAL: NodeParameters =
+    const PARAMETERS: NodeParameters =
         NodeParameters { contact_film: 1e-9, limit: 2e9, own_influence: 2e-17, step_bound: 1e8 };
 
     #[test]
@@ -279,7 +279,7 @@ mod tests {
             (1e-9 + 2e-17 * 6e8, Solid::Open, 0.0),
             (1e-9 - 2e-17 * 2e9, Solid::Yielded, 2e9),
         ] {
-            let node = MATERIAL.eliminate_dry(Fluid::Cavitated, 5e8, film);
+            let node = PARAMETERS.eliminate_dry(Fluid::Cavitated, 5e8, film);
             assert_eq!((node.node_state.solid, node.pressure), (solid, pressure));
             assert!(node.fluid_pressure.abs() < f64::MIN_POSITIVE);
         }

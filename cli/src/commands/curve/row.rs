@@ -117,18 +117,20 @@ impl Row {
         let all = |get: fn(&ContactSolution) -> Option<f64>| -> Option<Vec<f64>> {
             solutions.iter().map(|solution| get(solution)).collect()
         };
+        let mean_of = |get: fn(&ContactSolution) -> Option<f64>| mean(&all(get)?);
         let values = QUANTITIES.map(|quantity| {
             let values = all(quantity.value)?;
             let mean = mean(&values)?;
             let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
             let sd = (values.len() > 1).then(|| (squares / (values.len() - 1) as f64).sqrt());
-            let error = all(quantity.error).and_then(|errors| self::mean(&errors));
+            let error = mean_of(quantity.error);
             Some(Value { mean, sd, error })
         });
         let model = solutions.first()?.model.unwrap_or_default();
-        let parts =
-            [all(|solution| Some(solution.friction.boundary)), all(|solution| Some(solution.friction.fluid))];
-        let friction_parts = parts.map(|part| part.and_then(|values| mean(&values)).unwrap_or(0.0));
+        let friction_parts = [
+            mean_of(|solution| Some(solution.friction.boundary))?,
+            mean_of(|solution| Some(solution.friction.fluid))?,
+        ];
         Some(Self { at, surfaces: solutions.len(), model, values, friction_parts, formula })
     }
 
