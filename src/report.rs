@@ -185,6 +185,10 @@ pub struct SolveReport {
     /// other solvers.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub load_ratio_range: Option<[f64; 2]>,
+    /// Whether the flow through the valleys of asperity inlets converged. Without it the oil in the valleys has no pressure of its own.
+    /// `None` for other solvers.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub has_valley_flow: Option<bool>,
     /// Residuals of each start and after each outer iteration, in order. Intermediate values may belong to
     /// modified equations: thicker contact films, Reynolds' condition, or pseudo-time steps. For a solve from
     /// a single start the last residuals are those of the state. Empty for solvers without a history, such as
@@ -204,6 +208,7 @@ impl SolveReport {
             work: Work::default(),
             strategy: None,
             load_ratio_range: None,
+            has_valley_flow: None,
             residual_history: Vec::new(),
         }
     }

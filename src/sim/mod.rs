@@ -89,6 +89,7 @@ pub use scene::{Scene, Schedule};
 #[cfg(feature = "serde")]
 pub use scene_file::SceneFile;
 pub use single_contact::expectation::{Expectation, ExpectedFilm};
+pub use single_contact::many_conditions::SingleContact;
 pub use single_contact::solve_contact;
 
 /// The solver that `scene` names.

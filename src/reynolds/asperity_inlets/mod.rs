@@ -3,13 +3,16 @@
 mod compression;
 mod flank;
 mod split;
+mod valley_flow;
 
 use compression::EdgePressures;
 use split::{Inlets, Split};
+use valley_flow::ValleyFlow;
 
 use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, Dry, ReynoldsError, StoppingRule};
+use crate::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::{Residuals, SolveReport};
@@ -18,6 +21,9 @@ use crate::solver_id::SolverId;
 /// Factors on the rise of the reduced pressure in the inlets within which the law is known. The film of a long edge and the
 /// flow around asperities change it by as much (`docs/asperity_inlets.md`).
 const RISE_RANGE: [f64; 2] = [1.2, 0.8];
+
+/// Pressure one flank length behind the edge of a Hertz contact over modulus, contact film and inverse flank length.
+const BEHIND: f64 = 3.0 / 8.0;
 
 /// Pressure and gap of a dry contact.
 struct Field<'a> {
@@ -28,25 +34,25 @@ struct Field<'a> {
     gap: &'a [f64],
 }
 
-/// Load sharing of a rough contact from its dry solution, without a fitted number.
+/// Load sharing of a rough contact from its dry solution.
 ///
 /// The total pressure is that of the dry contact. Each run of nodes under pressure along x is an asperity with an
-/// inlet. The reduced pressure of the fluid increases there by
+/// inlet. The reduced pressure of the fluid in front of it increases by
 ///
 /// ```text
-/// q = 12 eta0 u cos^2(t) integral of (rho h - rho_1 h_c)/h^3 dx,   h = h_c + dry gap,
+/// q = 12 eta0 u integral of (rho h - rho_1 h_c)/h^3 dx,   h = h_c + dry gap,
 /// ```
 ///
-/// (`t`: angle of the front edge's normal to x, `rho_1`: density at the edge relative to that at ambient pressure,
-/// `h_c`: contact film). Almost no fluid flows by pressure through a film of this thickness, so the
+/// by the Reynolds equation between the rigid bodies of the dry contact, with conservation of mass (`h_c`: contact film).
+/// The density `rho` (`rho_1`: that at the edge, relative to that at ambient pressure) reduces the rise, the
+/// elastic deformation of the edge increases it, both as in a straight inlet. Almost no fluid flows by pressure through a film of this thickness, so the
 /// fluid keeps the pressure of the front edge: it carries `min(p, p(q))`, solids the rest. Where `q` exceeds what the
 /// largest pressure of the run needs, the run floats on a film that is `(q/needed)^(3/4)` times the contact film. Films
 /// elsewhere are the dry gap plus the contact film plus the mean lift of the asperities.
 ///
 /// **Valid** for rough steady contacts whose smooth film is below half of the composite Rq, without a lay, with a flooded
-/// inlet. The flow around asperities and from one to the next is neglected, every inlet counts as full, and its fluid does not
-/// deform the edge. Rises are thus known to about 20 %; where few asperities carry the load, that may decide on solids.
-/// `docs/asperity_inlets.md` compares with solutions that resolve the inlets.
+/// inlet. The bodies between the asperities are rigid. Rises are known to about 20 %; where few asperities carry the
+/// load, that may decide on solids. `docs/asperity_inlets.md` compares with solutions that resolve the inlets.
 ///
 /// The result is not a solution of the discrete equations of the other solvers. Its report has the residuals of the dry
 /// contact and no mass residual; film fractions of the state are one.
@@ -73,6 +79,7 @@ pub struct AsperityInlets {
     dry: Dry,
     /// Buffers of the law.
     edges: EdgePressures,
+    valleys: ValleyFlow,
     split: Split,
 }
 
@@ -125,10 +132,16 @@ impl ContactSolver for AsperityInlets {
         self.check(problem, state, stop)?;
         let report = self.dry.solve(&mut problem.copied().with_lubricant(None), state, stop)?;
         let oil = problem.lubricant.filter(|_| report.residual.is_finite());
-        let load_ratio_range = oil.and_then(|oil| self.share(problem, oil, state));
+        let (mut load_ratio_range, mut has_valley_flow) = (None, None);
+        if let Some(oil) = oil {
+            let must_stop = || problem.deformation.must_stop();
+            self.valleys.update(problem.grid(), &state.film, problem.contact_film(), must_stop)?;
+            has_valley_flow = Some(self.valleys.is_solved());
+            load_ratio_range = self.share(problem, oil, state);
+        }
         let residual = Residuals { mass: 0.0, ..report.residual };
         let solved = SolveReport::new(self.id(), report.status, residual).with_work(report.work);
-        Ok(SolveReport { load_ratio_range, ..solved })
+        Ok(SolveReport { load_ratio_range, has_valley_flow, ..solved })
     }
 }
 
@@ -147,8 +160,10 @@ impl AsperityInlets {
             return None;
         }
         self.edges.tabulate(oil, peak);
+        let stiffness = BEHIND * local_modulus(&*problem.deformation) * contact_film;
         let entrainment = 12.0 * oil.viscosity().viscosity(0.0) * problem.entrainment_speed;
-        let inlets = Inlets { edges: &self.edges, oil, entrainment, contact_film };
+        let inlets =
+            Inlets { edges: &self.edges, valleys: &self.valleys, oil, entrainment, contact_film, stiffness };
         let field = Field { grid: problem.grid(), pressure: &state.pressure, gap: &state.film };
         self.split.fill(&field, &inlets);
         // Films: contact film in the runs, the dry gap between them, both lifted by the runs that float.
@@ -163,5 +178,35 @@ impl AsperityInlets {
             state.mass[k] = *film * oil.at(state.fluid_pressure[k]).density;
         }
         Some(RISE_RANGE.map(|factor| self.split.solid_share(&state.pressure, &self.edges, factor)))
+    }
+}
+
+/// The equivalent modulus of a half-space with the influence coefficients of `bodies` at neighboring nodes \[Pa\]; infinite for bodies
+/// that have no such coefficients.
+fn local_modulus(bodies: &dyn DeformationModel) -> f64 {
+    let grid = bodies.grid();
+    let near = Grid::centred(4, grid.ny().min(4), grid.dx(), grid.dy()).ok();
+    let unit: Option<Box<dyn DeformationModel>> = near.and_then(|near| match near.ny() {
+        1 => LineHalfSpace::new(near, 1.0, 1.0).ok().map(|bodies| Box::new(bodies) as _),
+        _ => HalfSpace::new(near, 1.0).ok().map(|bodies| Box::new(bodies) as _),
+    });
+    let fall = |bodies: &dyn DeformationModel| bodies.influence(1, 0) - bodies.influence(2, 0);
+    let modulus = unit.map_or(f64::NAN, |unit| fall(&*unit) / fall(bodies));
+    if modulus > 0.0 { modulus } else { f64::INFINITY }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn local_modulus_is_that_of_half_spaces() {
+        let plane = Grid::centred(16, 8, 1e-6, 2e-6).unwrap();
+        let line = Grid::centred(16, 1, 1e-6, 1.0).unwrap();
+        let found = [
+            local_modulus(&HalfSpace::new(plane, 2e11).unwrap()),
+            local_modulus(&LineHalfSpace::new(line, 2e11, 1e-2).unwrap()),
+        ];
+        assert!(found.iter().all(|modulus| (modulus / 2e11 - 1.0).abs() < 1e-9), "{found:?}");
     }
 }

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use super::Field;
 use super::compression::EdgePressures;
-use super::flank::rise_in_inlet;
+use super::flank::Front;
+use super::valley_flow::ValleyFlow;
 use crate::lubricant::Lubricant;
 
 /// The film of a floating asperity over the contact film grows as the rise of the reduced pressure to this power: on
@@ -15,12 +16,16 @@ const LIFT: f64 = 0.75;
 pub(super) struct Inlets<'a> {
     /// Pressure at the front edges.
     pub(super) edges: &'a EdgePressures,
+    /// Flow through the valleys in front of them.
+    pub(super) valleys: &'a ValleyFlow,
     /// The oil.
     pub(super) oil: &'a Lubricant,
     /// `12 eta0 u` \[Pa m\].
     pub(super) entrainment: f64,
     /// Film of solid contact \[m\].
     pub(super) contact_film: f64,
+    /// Pressure of a dry contact one flank length behind its edge over the slope of the flank, `3/8 E' h_c` \[Pa m\].
+    pub(super) stiffness: f64,
 }
 
 /// Fluid pressure and film of the nodes under pressure.
@@ -42,18 +47,20 @@ struct Run {
     nodes: Range<usize>,
     /// Largest pressure \[Pa\].
     peak: f64,
-    /// Rise of the reduced pressure in its inlet without density \[Pa\].
+    /// Rise of the reduced pressure in front of it without density \[Pa\].
     rise: f64,
+    /// Pressure of the dry contact one flank length behind its edge \[Pa\].
+    behind: f64,
 }
 
 impl Run {
     /// Fluid pressure at the front edge \[Pa\] at `factor` times the rise; the peak where the run floats.
     fn edge(&self, edges: &EdgePressures, factor: f64) -> f64 {
         // It floats where the inlet generates its whole pressure.
-        if factor * self.rise >= edges.needed_rise(self.peak) {
+        if factor * self.rise >= edges.needed_rise(self.peak, self.behind) {
             self.peak
         } else {
-            edges.pressure(factor * self.rise).min(self.peak)
+            edges.pressure(factor * self.rise, self.behind).min(self.peak)
         }
     }
 }
@@ -78,11 +85,14 @@ impl Split {
                     i += 1;
                 }
                 if i > front {
-                    // Rise of the reduced pressure in its inlet.
-                    let rise = inlets.entrainment * rise_in_inlet(field, j, front, inlets.contact_film);
                     let nodes = j * nx + front..j * nx + i;
-                    let peak = nodes.clone().map(|k| field.pressure[k]).fold(0.0, f64::max);
-                    let run = Run { nodes, peak, rise };
+                    let front = Front::new(field, inlets.valleys, (j, front), inlets.contact_film);
+                    let run = Run {
+                        peak: nodes.clone().map(|k| field.pressure[k]).fold(0.0, f64::max),
+                        nodes,
+                        rise: inlets.entrainment * front.rise,
+                        behind: inlets.stiffness * front.slope,
+                    };
                     self.share(&run, field.pressure, inlets);
                     self.runs.push(run);
                 }
@@ -108,7 +118,7 @@ impl Split {
     /// Splits the pressure of one run. The flow of the inlet passes the run unchanged.
     fn share(&mut self, run: &Run, pressure: &[f64], inlets: &Inlets<'_>) {
         let edge = run.edge(inlets.edges, 1.0);
-        let lift = (run.rise / inlets.edges.needed_rise(run.peak)).powf(LIFT).max(1.0);
+        let lift = (run.rise / inlets.edges.needed_rise(run.peak, run.behind)).powf(LIFT).max(1.0);
         let film = inlets.contact_film * lift;
         let carried = inlets.oil.at(edge).density;
         // The fluid carries the pressure of the edge, solids the rest.

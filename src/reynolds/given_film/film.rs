@@ -95,6 +95,26 @@ impl FilmThickness {
     /// # Errors
     /// A field that does not fit the grid, or a value that is not finite and positive.
     pub fn from_nodes(grid: Grid, film: &[f64]) -> Result<Self, InputError> {
+        Self::from_halves(grid, film, |near, _, length| {
+            let Piece { squares, cubes } = Piece::constant(near, length);
+            [squares, cubes]
+        })
+    }
+
+    /// A film with the values `film` \[m\] at the nodes. `integrals` has those of `1/h^2` and `1/h^3` over the half of the interval
+    /// between two nodes that is near to one of them, from the film there, that of the other node and the length of the half.
+    ///
+    /// # Errors
+    /// Those of [`from_nodes`](Self::from_nodes).
+    pub(in crate::reynolds) fn from_halves(
+        grid: Grid,
+        film: &[f64],
+        integrals: impl Fn(f64, f64, f64) -> [f64; 2],
+    ) -> Result<Self, InputError> {
+        let piece = |near, far, length| {
+            let [squares, cubes] = integrals(near, far, length);
+            Piece { squares, cubes }
+        };
         InputError::require_len("film", film, grid.len())?;
         check_values(film)?;
         let (nx, ny) = (grid.nx(), grid.ny());
@@ -106,10 +126,8 @@ impl FilmThickness {
                 let (west, east) = neighbours(row, i);
                 let inside = i > 0 && i < nx;
                 let length = if inside { half_x } else { 0.5 * half_x };
-                along.push(FaceIntegral {
-                    share: 0.5,
-                    pieces: [Piece::constant(west, length), Piece::constant(east, length)],
-                });
+                let pieces = [piece(west, east, length), piece(east, west, length)];
+                along.push(FaceIntegral { share: 0.5, pieces });
             }
         }
         // The same along y.
@@ -118,7 +136,7 @@ impl FilmThickness {
             for i in 0..nx {
                 let [south, north] = [j.max(1) - 1, j.min(ny - 1)].map(|j| film[j * nx + i]);
                 let length = if j > 0 && j < ny { half_y } else { 0.5 * half_y };
-                across.push(length / south.powi(3) + length / north.powi(3));
+                across.push(piece(south, north, length).cubes + piece(north, south, length).cubes);
             }
         }
         Ok(Self { grid, nodes: film.to_vec(), along, across })

@@ -34,9 +34,11 @@ use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
 
-/// Convergence bound, over the inflow, on the sum of the absolute imbalances of all cells (or its rounding
-/// error, if larger) and on the imbalance of the box.
+/// Convergence bound of bearings.
 const IMBALANCE: f64 = 1e-10;
+
+/// Largest number of Newton steps of bearings on one grid.
+const MOST_STEPS: u64 = 100;
 
 /// Positions of the edges in lists of four: at the smallest and largest x, at the smallest and largest y.
 const WEST: usize = 0;
@@ -132,6 +134,11 @@ pub struct GivenFilm<'a> {
     /// Diameter of a round hole in the middle of the edges across x \[m\]: beside it their pressure falls to that of the sides as in a film of
     /// uniform thickness, with `ln tan(pi |y|/(2 B))` at the distance y from its middle; 0 without one.
     pub end_hole: f64,
+    /// Convergence bound over the inflow, for the sum of the absolute imbalances of all cells (or its rounding error, if
+    /// larger) and for the imbalance of the box.
+    pub(in crate::reynolds) imbalance: f64,
+    /// Largest number of Newton steps on one grid.
+    pub(in crate::reynolds) most_steps: u64,
 }
 
 impl<'a> GivenFilm<'a> {
@@ -149,6 +156,8 @@ impl<'a> GivenFilm<'a> {
             roughness: None,
             lands: 0.0,
             end_hole: 0.0,
+            imbalance: IMBALANCE,
+            most_steps: MOST_STEPS,
         }
     }
 }

@@ -5,10 +5,10 @@
 //! After an increase of the residual, the sum of all absolute imbalances, the next step is shortened.
 //! Convergence: a residual of 1e-10 of the inflow, or of the rounding error.
 
+use super::GivenFilm;
 use super::balance::{Balance, BoundaryFlux};
 use super::film::FilmThickness;
 use super::linear::LinearSolver;
-use super::{GivenFilm, IMBALANCE};
 use crate::numerics::STENCIL;
 use crate::report::Status;
 
@@ -16,8 +16,6 @@ use crate::report::Status;
 const COARSEST: usize = 12;
 /// Residual over the inflow at which a coarser grid is converged.
 const COARSE_TOLERANCE: f64 = 1e-6;
-/// Largest number of steps on one grid.
-const MAX_STEPS: u64 = 100;
 
 /// Sweeps after each step.
 const SWEEPS: usize = 3;
@@ -77,7 +75,7 @@ pub(super) fn solve<'a>(
         drop(solved);
         start = Some(Start { film, pressure, theta, steps });
     }
-    on_grid(problem, film, speed, (start.as_ref(), IMBALANCE), interrupted)
+    on_grid(problem, film, speed, (start.as_ref(), problem.imbalance), interrupted)
 }
 
 /// Propagates film fractions along the flow, in sweeps over the `rows` in both orders.
@@ -122,7 +120,8 @@ fn on_grid<'a>(
         let boundary_flux = balance.linearise(&mut outflow, &mut stencil);
         let residual = outflow.iter().map(|f| f.abs()).sum::<f64>();
         // Keep the best state.
-        if residual < best.0 {
+        let is_best = residual < best.0;
+        if is_best {
             best.0 = residual;
             best.1.copy_from_slice(&unknowns);
         }
@@ -131,14 +130,18 @@ fn on_grid<'a>(
         if residual <= bound && boundary_flux.imbalance() <= tolerance {
             break Status::Converged;
         }
-        if steps == MAX_STEPS {
+        if steps == problem.most_steps {
             break Status::MaxIterations;
         }
         // Solve the linear system.
         let solved = residual.is_finite().then(|| linear.solve(&stencil, &outflow, &mut change));
         let Some(count) = solved.flatten() else { break Status::Diverged };
-        // Shorten steps that oscillate between two sets of cavitated cells.
-        share = if residual < last { 1.0_f64.min(2.0 * share) } else { SHORTEST.max(0.5 * share) };
+        // Shorten steps that oscillate between sets of cavitated cells, until they lead to a new best state.
+        if is_best {
+            share = 1.0_f64.min(2.0 * share);
+        } else if residual >= last {
+            share = SHORTEST.max(0.5 * share);
+        }
         last = residual;
         for (k, (s, change)) in unknowns.iter_mut().zip(&change).enumerate() {
             *s = balance.moved(k, *s, share * change);

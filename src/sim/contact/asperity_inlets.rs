@@ -152,7 +152,7 @@ pub(in crate::sim) fn warnings(
         Warning::new(
             "solver.model",
             f64::NAN,
-            format!("{film}: the model leaves out the pressure of the fluid between the asperities"),
+            format!("{film}: the model leaves out the deformation by the fluid between the asperities"),
             "use the resolved model".to_owned(),
         )
     });

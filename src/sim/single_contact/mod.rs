@@ -4,6 +4,7 @@
 
 mod accuracy;
 pub(in crate::sim) mod expectation;
+pub(in crate::sim) mod many_conditions;
 mod memory;
 mod prepared;
 mod solve;

@@ -21,7 +21,8 @@ use crate::sim::history::heat;
 use crate::sim::history::placement::Placement;
 use crate::sim::history::track::track_rq;
 use crate::sim::history::yielding::Yielding;
-use crate::sim::scene::Scene;
+use crate::sim::scene::operating_schedule::Conditions;
+use crate::sim::scene::{Load, Scene, Schedules};
 use crate::surface::Offset;
 
 impl SimBuilder {
@@ -42,13 +43,10 @@ impl SimBuilder {
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
         asperity_inlets::require_no_lay(&self.scene, &contact.grid, bodies.each_ref().map(Body::initial))?;
-        let warnings = self.warnings(replaced, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(replaced, &bodies);
         contact.deformation.bodies().poll()?;
         let state = start(&contact.grid)?;
-        let mut prepared = PreparedContact::new(self.scene, contact, bodies, laws, state)?;
-        prepared.warnings = warnings;
-        Ok(prepared)
+        PreparedContact::new((self, replaced), contact, bodies, laws, state)
     }
 }
 
@@ -77,14 +75,17 @@ pub(in crate::sim) fn prepare_heights(
 
 /// The contact of two bodies on one mesh before its first iteration.
 pub(in crate::sim) struct PreparedContact {
-    /// The scene.
-    scene: Scene,
+    /// The scene, without the components that are in the fields below, and which of its parts were replaced.
+    builder: SimBuilder,
+    replaced: ReplacedParts,
     /// Its model with the solver.
-    model: ContactModel,
+    pub(super) model: ContactModel,
+    /// The bodies, which no solve changes.
+    bodies: [Body; 2],
     /// Laws of friction and plasticity.
     laws: Laws,
     /// Initial pressures.
-    state: ContactState,
+    pub(super) state: ContactState,
     /// Undeformed gap \[m\].
     gap: Vec<f64>,
     /// Largest pressure per node \[Pa\]; `None` for an elastic contact.
@@ -104,7 +105,7 @@ pub(in crate::sim) struct PreparedContact {
 impl PreparedContact {
     /// Returns all input errors of a solve.
     fn new(
-        scene: Scene,
+        (builder, replaced): (SimBuilder, ReplacedParts),
         mut model: ContactModel,
         bodies: [Body; 2],
         laws: Laws,
@@ -124,47 +125,76 @@ impl PreparedContact {
             }
         };
         model.deformation.bodies().poll()?;
-        let friction = FrictionFields::new(&scene, grid.len())?;
-        let film_heat = FilmIteration::new(&scene, &model)?;
+        let friction = FrictionFields::new(&builder.scene, grid.len())?;
+        let film_heat = FilmIteration::new(&builder.scene, &model)?;
         model.reuses_buffers = film_heat.is_some();
         let rq = bodies.each_ref().map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
         model.check(&gap, limit.as_deref(), &state)?;
         model.deformation.bodies().poll()?;
-        let warnings = Vec::new();
-        Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, film_heat, rq, warnings })
-    }
-
-    /// Solves contact and film temperature and evaluates the results. If the solve diverged, the results are
-    /// `None`.
-    pub(in crate::sim) fn solve(self) -> Result<ContactSolution, SimError> {
-        let Self {
-            scene,
-            mut model,
+        let warnings = builder.warnings(replaced, &model, &bodies, &laws);
+        Ok(Self {
+            builder,
+            replaced,
+            model,
+            bodies,
             laws,
-            mut state,
+            state,
             gap,
             limit,
             tribofilms,
-            mut friction,
-            mut film_heat,
-            ..
-        } = self;
-        let given = SolveContext { laws: &laws, tribofilms: &tribofilms };
+            friction,
+            film_heat,
+            rq,
+            warnings,
+        })
+    }
+
+    /// The scene.
+    pub(super) fn scene(&self) -> &Scene {
+        &self.builder.scene
+    }
+
+    /// Sets load, speeds and temperature of the next solve, with its warnings.
+    pub(super) fn set_conditions(&mut self, conditions: &Conditions) -> Result<(), SimError> {
+        let scene = &mut self.builder.scene;
+        conditions.validate(scene.is_lubricated())?;
+        let hertz = self.model.hertz_under(scene, conditions.load)?;
+        setup::validate_box(&self.model.grid, &hertz, scene.form.is_line())?;
+        (scene.load, scene.motion) = (Load::force(conditions.load), conditions.motion);
+        scene.thermal.bulk_temperature = conditions.bulk_temperature;
+        scene.schedule = Schedules::default();
+        self.model.set_conditions(scene, conditions)?;
+        self.warnings = self.builder.warnings(self.replaced, &self.model, &self.bodies, &self.laws);
+        Ok(())
+    }
+
+    /// Solves the contact once.
+    pub(in crate::sim) fn solve(mut self) -> Result<ContactSolution, SimError> {
+        self.solve_next()
+    }
+
+    /// Solves contact and film temperature and evaluates the results. If the solve diverged, the results are
+    /// `None`. The next solve starts from an empty state.
+    pub(super) fn solve_next(&mut self) -> Result<ContactSolution, SimError> {
+        let Self { builder, model, laws, gap, limit, tribofilms, friction, film_heat, .. } = self;
+        let scene = &builder.scene;
+        let mut state = std::mem::replace(&mut self.state, ContactState::new(&model.grid));
+        let given = SolveContext { laws, tribofilms };
         let mut once = |model: &mut ContactModel, state: &mut ContactState| {
-            model.solve(&gap, limit.as_deref(), None, state)
+            model.solve(gap, limit.as_deref(), None, state)
         };
-        let contact = (&mut model, &mut state, &mut friction);
+        let contact = (&mut *model, &mut state, &mut *friction);
         let solved = film_heat::solve(&given, film_heat.as_mut(), contact, &mut once);
-        let solved = outer_rows::require_solids_inside(&scene, (&model, &state), solved)?;
-        let known = is_known(&state).then_some(&friction);
-        let numbers = Numbers::of(&model, &state, known, limit.as_deref(), self.rq)?;
+        let solved = outer_rows::require_solids_inside(scene, (&*model, &state), solved)?;
+        let known = is_known(&state).then_some(&*friction);
+        let numbers = Numbers::of(model, &state, known, limit.as_deref(), self.rq)?;
         let stress =
-            known.map(|fields| StressNumbers::of(&scene, &model, &state, fields)).transpose()?.flatten();
-        let rise = |fields| heat::steady_rise(&scene, &model, fields, film_heat.as_ref());
+            known.map(|fields| StressNumbers::of(scene, model, &state, fields)).transpose()?.flatten();
+        let rise = |fields| heat::steady_rise(scene, model, fields, film_heat.as_ref());
         let flash_rise = known.map(rise).transpose()?.flatten();
-        let mut solution = model.solution(solved, state, gap, known, numbers);
+        let mut solution = model.solution(solved, state, gap.clone(), known, numbers);
         (solution.stress, solution.flash_rise) = (stress, flash_rise);
-        solution.warnings.splice(..0, self.warnings);
+        solution.warnings.splice(..0, self.warnings.iter().cloned());
         Ok(solution)
     }
 }

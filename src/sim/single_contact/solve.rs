@@ -140,7 +140,7 @@ enum ReadySolve {
 }
 
 /// Whether the single contact of `scene` needs several meshes.
-fn needs_meshes(scene: &Scene) -> bool {
+pub(super) fn needs_meshes(scene: &Scene) -> bool {
     let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
     asked || matches!(scene.grid, GridSpec::Accuracy { .. })
 }

@@ -75,7 +75,7 @@ impl MixedLubricationSim {
 impl Conditions {
     /// Error for a load or a temperature that is not positive, a negative speed, or a lubricated contact at zero
     /// speed.
-    fn validate(&self, lubricated: bool) -> Result<(), InputError> {
+    pub(super) fn validate(&self, lubricated: bool) -> Result<(), InputError> {
         InputError::require_positive("load", self.load)?;
         let (speed, ratio) = (self.motion.entrainment_speed, self.motion.slide_roll_ratio);
         let field = "entrainment_speed";

@@ -18,12 +18,11 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use stribeck::Status;
-use stribeck::elastic::HalfSpace;
 use stribeck::sim::scene::{GridSpec, Scene};
-use stribeck::sim::{Conditions, ContactSolution, SceneFile, SimError};
+use stribeck::sim::{Conditions, ContactSolution, SceneFile, SimError, SingleContact};
 
 use self::axis::Axis;
-use self::model::{ModelChoice, Plan, Starts};
+use self::model::{ModelChoice, Plan};
 use self::row::{Columns, Row};
 use crate::output::{self, Held, Outcome, Output, ReportFile};
 use crate::{files, interrupt, picture};
@@ -98,9 +97,8 @@ struct Curve<'a> {
     /// Status and numbers of each contact; their fields are not kept.
     contacts: Vec<(Status, Value)>,
     plan: Plan,
-    starts: Starts,
-    /// The elastic half-space of all surfaces, once one of them was solved by asperity inlets.
-    half_space: Option<HalfSpace>,
+    /// The contact of each surface by asperity inlets, once it was solved.
+    by_inlets: Vec<Option<SingleContact>>,
     /// The folder of the table was made for it.
     made_folder: bool,
     /// Fields of the warnings that were printed.
@@ -212,7 +210,7 @@ impl<'a> Curve<'a> {
         let said = scene.warnings().into_iter().map(|warning| warning.field).collect();
         let remarks = !is_sample && options.seeds.is_none() && surfaces::is_random(scene);
         let (csv, rows, resolved, contacts) = ((path, file), Vec::new(), Vec::new(), Vec::new());
-        let (plan, starts) = (Plan::new(options.model, scene), Starts::default());
+        let (plan, by_inlets) = (Plan::new(options.model, scene), Vec::new());
         let is_complete = true;
         let mut curve = Self {
             options,
@@ -224,8 +222,7 @@ impl<'a> Curve<'a> {
             resolved,
             contacts,
             plan,
-            starts,
-            half_space: None,
+            by_inlets,
             made_folder,
             said,
             warnings: Vec::new(),

@@ -1,6 +1,5 @@
 //! The model of each contact of a curve: asperity inlets where they hold, the resolved one elsewhere.
 
-use stribeck::reynolds::ContactState;
 use stribeck::sim::ContactSolution;
 use stribeck::sim::scene::{Scene, SolverModel};
 
@@ -58,24 +57,6 @@ pub(super) fn resolved_values(count: u32, all: usize) -> Vec<usize> {
         0 => Vec::new(),
         1 => vec![last / 2],
         _ => (0..count).map(|k| (k * last + (count - 1) / 2) / (count - 1)).collect(),
-    }
-}
-
-/// Dry contacts of the surfaces, from which asperity inlets at the next value start.
-#[derive(Default)]
-pub(super) struct Starts(Vec<Option<ContactState>>);
-
-impl Starts {
-    pub(super) fn of(&self, surface: usize) -> Option<ContactState> {
-        self.0.get(surface).cloned().flatten()
-    }
-
-    pub(super) fn keep(&mut self, surface: usize, solution: &ContactSolution) {
-        if self.0.len() <= surface {
-            self.0.resize(surface + 1, None);
-        }
-        self.0[surface] =
-            (solution.model == Some(SolverModel::AsperityInlets)).then(|| solution.state.clone());
     }
 }
 

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use stribeck::Status;
 use stribeck::sim::scene::{Scene, SolverModel};
-use stribeck::sim::{Conditions, MixedLubricationSim, SimError};
+use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, SimBuilder, SimError, SingleContact};
 
 use super::model::{Plan, resolved_values};
 use super::row::{self, Row};
@@ -71,36 +71,25 @@ impl Curve<'_> {
         held: &Held,
     ) -> Result<Option<Vec<Point>>, Box<dyn Error>> {
         let mut points = Vec::with_capacity(scenes.len());
-        let numbered: Vec<_> = scenes.iter().enumerate().collect();
-        for group in numbered.chunks(surfaces::at_once(scenes.len())) {
-            let builder = |(surface, scene): (usize, &Scene)| {
-                let mut scene = scene.clone();
+        self.by_inlets.resize_with(scenes.len(), || None);
+        let mut by_inlets = std::mem::take(&mut self.by_inlets);
+        let mut surfaces: Vec<_> = scenes.iter().zip(&mut by_inlets).enumerate().collect();
+        for group in surfaces.chunks_mut(surfaces::at_once(scenes.len())) {
+            let numbers: Vec<_> = group.iter().map(|(surface, _)| *surface).collect();
+            let solves = group.iter_mut().map(|(_, (scene, contact))| {
+                let mut scene = (*scene).clone();
                 scene.solver.model = model;
                 self.columns.over.set(&mut scene, conditions, value);
-                let (held, bar) = (held.clone(), self.bar.clone());
+                let (held, bar, conditions) = (held.clone(), self.bar.clone(), *conditions);
                 let builder = MixedLubricationSim::builder(scene).interrupt(move || {
                     held.print(&bar);
                     interrupt::is_requested()
                 });
-                if model.is_resolved() {
-                    return builder;
-                }
-                let builder = match &self.half_space {
-                    Some(half_space) => builder.deformation(half_space.clone()),
-                    None => builder,
-                };
-                if let Some(start) = self.starts.of(surface) { builder.contact_start(start) } else { builder }
-            };
-            let builders = group.iter().copied().map(builder).collect();
-            for ((surface, _), solved) in group.iter().zip(surfaces::solve_together(builders)) {
+                move || solve((builder, model), contact, &conditions)
+            });
+            for (surface, solved) in numbers.into_iter().zip(surfaces::together(solves.collect())) {
                 match solved {
-                    Ok(solution) => {
-                        if self.half_space.is_none() && !model.is_resolved() && !self.columns.errors {
-                            self.half_space = surfaces::half_space(&self.scene);
-                        }
-                        self.starts.keep(*surface, &solution);
-                        points.push(Point { conditions: *conditions, surface: *surface, solution });
-                    }
+                    Ok(solution) => points.push(Point { conditions: *conditions, surface, solution }),
                     Err(SimError::Interrupted) => return Ok(None),
                     Err(error @ SimError::BoxTooSmall(_)) => {
                         self.is_complete = false;
@@ -111,6 +100,7 @@ impl Curve<'_> {
                 self.bar.inc(1);
             }
         }
+        self.by_inlets = by_inlets;
         Ok(Some(points))
     }
 
@@ -152,6 +142,20 @@ impl Curve<'_> {
         let (mut scene, mut conditions) = (self.scene.clone(), points.first()?.conditions);
         self.columns.over.set(&mut scene, &mut conditions, value);
         Some(scene.formula_film().ok()??.map.central)
+    }
+}
+
+/// Solves the contact of `builder` by `model` under its `conditions`. By asperity inlets, `contact` is built once for all
+/// conditions.
+fn solve(
+    (builder, model): (SimBuilder, SolverModel),
+    contact: &mut Option<SingleContact>,
+    conditions: &Conditions,
+) -> Result<ContactSolution, SimError> {
+    match contact {
+        _ if model.is_resolved() => builder.solve(),
+        Some(contact) => contact.solve_under(conditions),
+        None => contact.insert(builder.single_contact()?).solve_under(conditions),
     }
 }
 

@@ -3,9 +3,8 @@
 use std::{panic, thread};
 
 use stribeck::InputError;
-use stribeck::elastic::HalfSpace;
+use stribeck::sim::ContactSolution;
 use stribeck::sim::scene::{GridSpec, Roughness, Scene};
-use stribeck::sim::{ContactSolution, SimBuilder, SimError};
 
 /// Difference of the seeds of one surface and the next.
 const STRIDE: u64 = 1000;
@@ -35,25 +34,15 @@ pub(super) fn scenes(scene: &Scene, seeds: Option<u32>) -> Result<Vec<Scene>, In
     Ok((0..u64::from(seeds)).map(|number| with_seeds(scene, number)).collect())
 }
 
-/// The elastic half-space of a point contact on a fixed grid without a layer; `None` for any other.
-pub(super) fn half_space(scene: &Scene) -> Option<HalfSpace> {
-    let is_plain = matches!(scene.grid, GridSpec::Cells { .. }) && !scene.form.is_line();
-    if !is_plain || scene.elastic.layer.is_some() {
-        return None;
-    }
-    HalfSpace::new(scene.grid().ok()?, scene.equivalent_modulus().ok()?).ok()
-}
-
 /// How many of `count` surfaces are solved at once: one for each processor.
 pub(super) fn at_once(count: usize) -> usize {
     thread::available_parallelism().map_or(1, usize::from).clamp(1, count.max(1))
 }
 
-/// Solves all contacts at once, each on a thread.
-pub(super) fn solve_together(builders: Vec<SimBuilder>) -> Vec<Result<ContactSolution, SimError>> {
+/// Does all `solves` at once, each on a thread.
+pub(super) fn together<T: Send>(solves: Vec<impl FnOnce() -> T + Send>) -> Vec<T> {
     thread::scope(|scope| {
-        let threads: Vec<_> =
-            builders.into_iter().map(|builder| scope.spawn(move || builder.solve())).collect();
+        let threads: Vec<_> = solves.into_iter().map(|solve| scope.spawn(solve)).collect();
         let ended = threads.into_iter().map(thread::ScopedJoinHandle::join);
         ended.map(|ended| ended.unwrap_or_else(|fault| panic::resume_unwind(fault))).collect()
     })
