@@ -178,10 +178,8 @@ mod tests {
             for place in [0.0, 0.2, 0.4, 0.6, 0.8] {
                 let [pressure, gap] = flank(&grid, 0.0, place * grid.dx());
                 let mut valleys = ValleyFlow::default();
-                assert_eq!(
-                    valleys.update(grid, &gap, 1e-9, || false).unwrap(),
-                    crate::report::Status::Converged
-                );
+                valleys.update(grid, &gap, 1e-9, || false).unwrap();
+                assert!(valleys.is_solved());
                 let field = Field { grid, pressure: &pressure, gap: &gap };
                 let front = (0..512).find(|i| pressure[*i] > 0.0).unwrap();
                 let rise = Front::new(&field, &valleys, (0, front), 1e-9).rise;
