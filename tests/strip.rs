@@ -381,13 +381,13 @@ fn areas_per_metre_do_not_depend_on_the_number_of_periods() {
 #[ignore = "slow"]
 fn mixed_strip_agrees_with_a_wide_point_contact() {
     const PERIODS: usize = 10;
-    for (length, seed, model) in [
-        (40e-6, 2, SolverModel::Resolved),
-        (20e-6, 2, SolverModel::Resolved),
-        (40e-6, 2, SolverModel::AsperityInlets),
+    for (length, seed, speed, model) in [
+        (40e-6, 2, 0.02, SolverModel::Resolved),
+        (20e-6, 2, 0.02, SolverModel::Resolved),
+        (40e-6, 2, 0.01, SolverModel::AsperityInlets),
     ] {
         let (nx, ny, x, width) = (80, 40, [-0.3e-3, 0.21e-3], 0.24e-3);
-        let mut line = roller(1.5e9, 0.02, nx, x);
+        let mut line = roller(1.5e9, speed, nx, x);
         line.solver.model = model;
         let scene = strip(&line, ny, Some([-0.5 * width, 0.5 * width]));
         let heights = Roughness::gaussian(180e-9, length, seed).heights(&scene.grid().unwrap()).unwrap();
@@ -401,7 +401,7 @@ fn mixed_strip_agrees_with_a_wide_point_contact() {
         let loads = [strip.contact.load_ratio, point.contact.load_ratio];
         let friction = [strip.friction.coefficient, point.friction.coefficient];
         let case = format!("length {length:e}, {model:?}");
-        // Measured: .006, .027 and .005; 2.7, 4.0 and 1.2 %.
+        // Measured, resolved: .006 and .027; 2.7 and 4.0 %.
         assert!((loads[0] - loads[1]).abs() < 0.06, "{case}: loads {loads:?}");
         assert!((friction[0] / friction[1] - 1.0).abs() < 0.08, "{case}: friction {friction:?}");
         assert!(loads[0] > 0.04, "{case} is mixed: loads {loads:?}");
