@@ -18,8 +18,8 @@ use crate::lubricant::Lubricant;
 use crate::report::{Residuals, SolveReport};
 use crate::solver_id::SolverId;
 
-/// Factors on the rise of the reduced pressure in the inlets within which the law is known. The film of a long edge and the
-/// flow around asperities change it by as much (`docs/asperity_inlets.md`).
+/// Factors on the rise of the reduced pressure in front of asperities within which the law is known
+/// (`docs/asperity_inlets.md`).
 const RISE_RANGE: [f64; 2] = [1.2, 0.8];
 
 /// Pressure one flank length behind the edge of a Hertz contact over modulus, contact film and inverse flank length.

@@ -2,8 +2,8 @@
 //!
 //! The sides are halved down to about 12 nodes, and each grid starts from the solution of the next coarser
 //! one. One step solves the linear system for all cells, updates the unknowns, and sweeps along the flow.
-//! After an increase of the residual, the sum of all absolute imbalances, the next step is shortened.
-//! Convergence: a residual of 1e-10 of the inflow, or of the rounding error.
+//! After an increase of the residual, the sum of all absolute imbalances, steps are shorter until one leads to a new
+//! smallest residual. Convergence: a residual of `GivenFilm::imbalance` of the inflow, or of the rounding error.
 
 use super::GivenFilm;
 use super::balance::{Balance, BoundaryFlux};

@@ -3,7 +3,6 @@
 use std::fmt;
 
 use crate::error::InputError;
-use crate::reynolds::ContactState;
 use crate::sim::contact::solution::ContactSolution;
 use crate::sim::contact::{asperity_inlets, strip, warnings};
 use crate::sim::error::SimError;
@@ -40,7 +39,7 @@ impl SimBuilder {
     /// # Errors
     /// The input errors of [`solve`](Self::solve). A scene whose contact needs several meshes or steps: an accuracy, an
     /// estimate of errors, roughness that moves.
-    pub fn single_contact(mut self) -> Result<SingleContact, SimError> {
+    pub fn single_contact(self) -> Result<SingleContact, SimError> {
         strip::validate(&self.scene)?;
         asperity_inlets::validate(&self.scene)?;
         if needs_meshes(&self.scene) || !self.scene.motion.roughness.is_at_rest() {
@@ -52,9 +51,7 @@ impl SimBuilder {
                         .to_owned(),
             }));
         }
-        let (start, replaced) = (self.contact_start.take(), self.replaced());
-        let mut contact =
-            self.prepare(replaced, |grid| Ok(start.unwrap_or_else(|| ContactState::new(grid))))?;
+        let mut contact = self.prepare_from_start()?;
         contact.model.reuses_buffers = true;
         Ok(SingleContact(contact))
     }

@@ -111,7 +111,7 @@ impl SimBuilder {
     }
 
     /// Prepares the contact and returns all input errors.
-    fn begin(mut self) -> Result<ReadySolve, SimError> {
+    fn begin(self) -> Result<ReadySolve, SimError> {
         strip::validate(&self.scene)?;
         if needs_meshes(&self.scene) {
             if let Some(part) = self.custom_part() {
@@ -124,10 +124,14 @@ impl SimBuilder {
             let meshes = Meshes::new(&self.scene, self.custom.interrupt.as_ref())?;
             return Ok(ReadySolve::Meshes(meshes));
         }
+        Ok(ReadySolve::Mesh(Box::new(self.prepare_from_start()?)))
+    }
+
+    /// The contact on the grid of the scene from the start that was given to this builder, or from an empty state.
+    pub(super) fn prepare_from_start(mut self) -> Result<PreparedContact, SimError> {
         let start = self.contact_start.take();
         let replaced = self.replaced();
-        let start = |grid: &Grid| Ok(start.unwrap_or_else(|| ContactState::new(grid)));
-        Ok(ReadySolve::Mesh(Box::new(self.prepare(replaced, start)?)))
+        self.prepare(replaced, |grid: &Grid| Ok(start.unwrap_or_else(|| ContactState::new(grid))))
     }
 }
 
