@@ -78,7 +78,7 @@ impl<F: StencilFactorization> FluidBlock for Block<F> {
 /// assert!((4.0 * x[12] - x[11] - x[13] - x[7] - x[17] - 1.0).abs() < 1e-5);
 /// ```
 #[derive(Debug)]
-pub struct StencilLu(GridLu);
+pub struct StencilLu(GridLu<f32>);
 
 impl StencilLu {
     /// Elimination order and buffers for a grid.

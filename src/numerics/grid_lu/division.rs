@@ -5,6 +5,7 @@
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
 use super::dense::{Block, VECTOR, add_matrix_product};
+use super::real::Real;
 use crate::numerics::parallel::for_each_task;
 
 /// Multiplications of a part of a product, for which a further thread repays its overhead.
@@ -13,21 +14,21 @@ const LEAST_WORK: usize = 1 << 17;
 const COLUMNS: usize = 6;
 
 /// A part of a product.
-struct Part<'a> {
-    out: &'a mut [f32],
-    pack: &'a mut [f32],
+struct Part<'a, T> {
+    out: &'a mut [T],
+    pack: &'a mut [T],
     stride: usize,
-    factors: [Block<'a>; 2],
+    factors: [Block<'a, T>; 2],
     sizes: [usize; 3],
 }
 
-impl WithSimd for Part<'_> {
+impl<T: Real> WithSimd for Part<'_, T> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let Part { out, pack, stride, factors: [a, b], sizes } = self;
-        if S::F32_LANES > VECTOR {
+        if T::lanes::<S>() > VECTOR {
             add_matrix_product(Scalar, [out, pack], stride, a, b, sizes);
         } else {
             add_matrix_product(simd, [out, pack], stride, a, b, sizes);
@@ -37,12 +38,12 @@ impl WithSimd for Part<'_> {
 
 /// As [`add_matrix_product`], with a further thread for each of `packs` where the product is large.
 #[inline(always)]
-pub(super) fn add_divided_product<S: Simd>(
+pub(super) fn add_divided_product<S: Simd, T: Real>(
     simd: S,
-    [out, pack]: [&mut [f32]; 2],
-    packs: &mut [Vec<f32>],
+    [out, pack]: [&mut [T]; 2],
+    packs: &mut [Vec<T>],
     stride: usize,
-    [a, b]: [Block<'_>; 2],
+    [a, b]: [Block<'_, T>; 2],
     [rows, inner, columns]: [usize; 3],
 ) {
     let parts = (rows * inner * columns / LEAST_WORK).min(packs.len() + 1);
@@ -60,11 +61,11 @@ pub(super) fn add_divided_product<S: Simd>(
 
 /// The product in parts of `columns` columns, rounded up.
 #[inline(never)]
-fn divide(
-    [out, pack]: [&mut [f32]; 2],
-    packs: &mut [Vec<f32>],
+fn divide<T: Real>(
+    [out, pack]: [&mut [T]; 2],
+    packs: &mut [Vec<T>],
     stride: usize,
-    [a, b]: [Block<'_>; 2],
+    [a, b]: [Block<'_, T>; 2],
     [rows, inner, columns]: [usize; 3],
 ) {
     let columns = columns.next_multiple_of(COLUMNS);

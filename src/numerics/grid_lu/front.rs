@@ -7,24 +7,21 @@ use pulp::{Scalar, Simd, WithSimd};
 use super::Matrix;
 use super::dense::{Block, VECTOR, add_product, flush_negligible, invert, packed, padded, significant};
 use super::division::add_divided_product;
+use super::real::Real;
 use super::structure::{Edge, Front, IndexRange, Structure};
-
-/// Static pivot threshold relative to the largest entry of a row. Units of the unknowns alone can make pivots
-/// small: a flow beside pressures that are 1e9 times larger.
-pub(super) const STATIC_PIVOT: f32 = 1e-15;
 
 /// Factors of a front.
 ///
 /// With the pivot block `P`, `B` below it and `C` beside it: `P^-1`, `-B P^-1` and `C`. Each border node of a
 /// leaf has one neighbor among the pivots, so `-B` and `C` have one entry per border node and are stored
 /// directly.
-struct Parts<'a> {
+struct Parts<'a, T> {
     /// `P^-1`, padded rows, one column per pivot.
-    inverse: &'a mut [f32],
+    inverse: &'a mut [T],
     /// `-B P^-1`; for a leaf `-B`.
-    lower: &'a mut [f32],
+    lower: &'a mut [T],
     /// `C`.
-    upper: &'a mut [f32],
+    upper: &'a mut [T],
 }
 
 impl Front {
@@ -57,7 +54,7 @@ impl Front {
 
     /// The factors as three parts.
     #[inline(always)]
-    fn parts<'a>(&self, values: &'a mut [f32]) -> Parts<'a> {
+    fn parts<'a, T>(&self, values: &'a mut [T]) -> Parts<'a, T> {
         let [inverse, lower, upper] = self.part_lengths();
         let (inverse, rest) = values.split_at_mut(inverse);
         let (lower, rest) = rest.split_at_mut(lower);
@@ -66,16 +63,21 @@ impl Front {
 
     /// Adds the contribution of the pivots, whose right-hand side comes first in `own`, to the border rows.
     #[inline(always)]
-    pub(super) fn forward<S: Simd>(&self, simd: S, edges: &[Edge], [values, own, scratch]: [&mut [f32]; 3]) {
+    pub(super) fn forward<S: Simd, T: Real>(
+        &self,
+        simd: S,
+        edges: &[Edge],
+        [values, own, scratch]: [&mut [T]; 3],
+    ) {
         let (s, rows, stride) = (self.pivots.len(), self.pivot_rows(), self.border_rows());
         let Parts { inverse, lower, .. } = self.parts(values);
         let (pivots, border) = own.split_at_mut(rows);
         if self.is_leaf {
             let solution = &mut scratch[..rows];
-            solution.fill(0.0);
+            solution.fill(T::zero());
             add_product(simd, solution, Block { values: inverse, stride: rows }, &pivots[..s]);
             for ((out, lower), edge) in border.iter_mut().zip(&*lower).zip(edges) {
-                *out += lower * solution[edge.pivot as usize];
+                *out += *lower * solution[edge.pivot as usize];
             }
         } else {
             add_product(simd, border, Block { values: lower, stride }, &pivots[..s]);
@@ -84,64 +86,69 @@ impl Front {
 
     /// Solution at the pivots from that at the border, which follows the pivots in `own`.
     #[inline(always)]
-    pub(super) fn backward<S: Simd>(&self, simd: S, edges: &[Edge], [values, own, scratch]: [&mut [f32]; 3]) {
+    pub(super) fn backward<S: Simd, T: Real>(
+        &self,
+        simd: S,
+        edges: &[Edge],
+        [values, own, scratch]: [&mut [T]; 3],
+    ) {
         let ([s, b], rows) = (self.size(), self.pivot_rows());
         let Parts { inverse, upper, .. } = self.parts(values);
         let (pivots, border) = own.split_at_mut(rows);
         if self.is_leaf {
             for ((value, upper), edge) in border.iter().zip(&*upper).zip(edges) {
-                pivots[edge.pivot as usize] -= upper * value;
+                pivots[edge.pivot as usize] -= *upper * *value;
             }
         } else {
             for (negative, value) in scratch.iter_mut().zip(&border[..b]) {
-                *negative = -value;
+                *negative = -*value;
             }
             add_product(simd, pivots, Block { values: upper, stride: rows }, &scratch[..b]);
         }
         let right = &mut scratch[..s];
         right.copy_from_slice(&pivots[..s]);
-        pivots.fill(0.0);
+        pivots.fill(T::zero());
         add_product(simd, pivots, Block { values: inverse, stride: rows }, right);
     }
 }
 
 /// Elimination of a front. SIMD instructions apply to inlined functions only.
-pub(super) struct Elimination<'a, 'b> {
+pub(super) struct Elimination<'a, 'b, T> {
     /// The front.
     pub(super) front: &'a Front,
     /// All fronts.
     pub(super) structure: &'a Structure,
     /// The matrix.
-    pub(super) matrix: Matrix<'a>,
+    pub(super) matrix: Matrix<'a, T>,
     /// Factors of the front.
-    pub(super) values: &'b mut [f32],
+    pub(super) values: &'b mut [T],
     /// Update matrices of the children with their maps to this front.
-    pub(super) children: [Option<(Block<'b>, &'a [IndexRange])>; 2],
+    pub(super) children: [Option<(Block<'b, T>, &'a [IndexRange])>; 2],
     /// Update matrix of this front.
-    pub(super) update_matrix: &'b mut [f32],
+    pub(super) update_matrix: &'b mut [T],
     /// Workspace.
-    pub(super) scratch: &'b mut [f32],
+    pub(super) scratch: &'b mut [T],
     /// Workspaces of further threads for the products of a large front; empty for one thread.
-    pub(super) packs: &'b mut [Vec<f32>],
+    pub(super) packs: &'b mut [Vec<T>],
 }
 
-impl WithSimd for Elimination<'_, '_> {
+impl<T: Real> WithSimd for Elimination<'_, '_, T> {
     type Output = bool;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
         // The padding does not fit wider vectors; the scalar fallback is rare.
-        if S::F32_LANES > VECTOR { self.run(Scalar) } else { self.run(simd) }
+        if T::lanes::<S>() > VECTOR { self.run(Scalar) } else { self.run(simd) }
     }
 }
 
 /// Factors and update matrix of a leaf, of which one stencil entry couples each border node, from the inverse of its pivots.
 #[inline(always)]
-fn eliminate_leaf(
-    matrix: Matrix<'_>,
+fn eliminate_leaf<T: Real>(
+    matrix: Matrix<'_, T>,
     edges: &[Edge],
     [rows, border_rows]: [usize; 2],
-    [inverse, lower, upper, update_matrix]: [&mut [f32]; 4],
+    [inverse, lower, upper, update_matrix]: [&mut [T]; 4],
 ) {
     for (place, edge) in edges.iter().enumerate() {
         lower[place] = -matrix.entry(edge.of_border as usize);
@@ -151,17 +158,17 @@ fn eliminate_leaf(
         let inverse = &inverse[edge.pivot as usize * rows..][..rows];
         let value = matrix.entry(edge.of_pivot as usize);
         for ((out, row), lower) in column.iter_mut().zip(edges).zip(&*lower) {
-            *out = significant(lower * inverse[row.pivot as usize]) * value;
+            *out = significant(*lower * inverse[row.pivot as usize]) * value;
         }
     }
 }
 
 /// Adds the update matrix of a child to the four blocks of its parent: pivots, border by pivots, pivots by border, and border.
 #[inline(always)]
-fn add_child(
-    (update, index_ranges): (Block<'_>, &[IndexRange]),
+fn add_child<T: Real>(
+    (update, index_ranges): (Block<'_, T>, &[IndexRange]),
     [rows, border_rows]: [usize; 2],
-    [pivots, lower, upper, border]: [&mut [f32]; 4],
+    [pivots, lower, upper, border]: [&mut [T]; 4],
 ) {
     let mut columns = update.values.chunks_exact(update.stride);
     let (on_pivots, on_border) =
@@ -181,7 +188,7 @@ fn add_child(
     }
 }
 
-impl Elimination<'_, '_> {
+impl<T: Real> Elimination<'_, '_, T> {
     /// Eliminates the pivots; returns whether they are finite.
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> bool {
@@ -190,19 +197,19 @@ impl Elimination<'_, '_> {
         let (rows, border_rows) = (front.pivot_rows(), front.border_rows());
         let Parts { inverse, lower, upper } = front.parts(values);
         let (pack, scratch) = scratch.split_at_mut(packed(s));
-        inverse.fill(0.0);
+        inverse.fill(T::zero());
         structure.place_entries(front, matrix, inverse);
         if front.is_leaf {
-            let is_finite = invert(simd, inverse, s, STATIC_PIVOT, [scratch, pack], packs);
+            let is_finite = invert(simd, inverse, s, [scratch, pack], packs);
             flush_negligible(inverse);
             eliminate_leaf(matrix, edges, [rows, border_rows], [inverse, lower, upper, update_matrix]);
             return is_finite;
         }
         // stencil entries between pivots and border
         let raw = &mut scratch[..border_rows * s];
-        raw.fill(0.0);
-        upper.fill(0.0);
-        update_matrix.fill(0.0);
+        raw.fill(T::zero());
+        upper.fill(T::zero());
+        update_matrix.fill(T::zero());
         for edge in edges {
             let (pivot, border) = (edge.pivot as usize, edge.border as usize);
             raw[pivot * border_rows + border] = matrix.entry(edge.of_border as usize);
@@ -213,13 +220,13 @@ impl Elimination<'_, '_> {
         }
         // P^-1, -B P^-1 and the update matrix C' - B P^-1 C
         let (raw, rest) = scratch.split_at_mut(border_rows * s);
-        let is_finite = invert(simd, inverse, s, STATIC_PIVOT, [rest, &mut *pack], packs);
+        let is_finite = invert(simd, inverse, s, [rest, &mut *pack], packs);
         flush_negligible(inverse);
         flush_negligible(upper);
         for value in &mut *raw {
             *value = -significant(*value);
         }
-        lower.fill(0.0);
+        lower.fill(T::zero());
         let raw = Block { values: raw, stride: border_rows };
         let of_pivots = Block { values: inverse, stride: rows };
         let sizes = [border_rows, s, s];
@@ -235,13 +242,13 @@ impl Elimination<'_, '_> {
 
 /// Extend-add of a column of a child's update matrix to the rows of a front, from row `from` on.
 #[inline(always)]
-pub(super) fn extend_add(out: &mut [f32], values: &[f32], index_ranges: &[IndexRange], from: usize) {
+pub(super) fn extend_add<T: Real>(out: &mut [T], values: &[T], index_ranges: &[IndexRange], from: usize) {
     for range in index_ranges {
         let (start, length) = (range.from as usize, range.length as usize);
         for (out, value) in
             out[range.to as usize - from..][..length].iter_mut().zip(&values[start..][..length])
         {
-            *out += value;
+            *out += *value;
         }
     }
 }

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::dense::padded;
 use super::dissection::Dissection;
+use super::real::Real;
 use super::{Matrix, STENCIL};
 
 /// Rank of a decoupled node.
@@ -215,7 +216,7 @@ impl Structure {
 
     /// Copies the matrix entries among the pivots of a front into their block.
     #[inline(always)]
-    pub(super) fn place_entries(&self, front: &Front, matrix: Matrix<'_>, block: &mut [f32]) {
+    pub(super) fn place_entries<T: Real>(&self, front: &Front, matrix: Matrix<'_, T>, block: &mut [T]) {
         let (pivots, rows) = (front.pivots.clone(), front.pivot_rows());
         for (row, &node) in self.nodes[pivots.clone()].iter().enumerate() {
             let node = node as usize;
@@ -223,7 +224,7 @@ impl Structure {
                 let entry = matrix.entry(STENCIL * node + slot);
                 let column =
                     self.rank.get(node.wrapping_add_signed(*offset)).map_or(DECOUPLED, |rank| *rank) as usize;
-                if entry != 0.0 && pivots.contains(&column) {
+                if entry != T::zero() && pivots.contains(&column) {
                     block[(column - pivots.start) * rows + row] = entry;
                 }
             }

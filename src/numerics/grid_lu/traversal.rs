@@ -8,6 +8,7 @@ use super::Matrix;
 use super::dense::{Block, VECTOR};
 use super::dissection::Supernode;
 use super::front::{Elimination, extend_add};
+use super::real::Real;
 use super::structure::{Front, Structure};
 use crate::numerics::parallel::{CHUNKS_PER_THREAD, for_each_task};
 
@@ -16,22 +17,22 @@ const LARGE_FRONT: usize = 64;
 
 /// Storage of the fronts of a subtree.
 #[derive(Debug)]
-pub(super) struct Subtree<'a> {
+pub(super) struct Subtree<'a, T> {
     /// First front of the subtree.
     pub(super) first: usize,
     /// Factors of its fronts.
-    pub(super) factors: &'a mut [f32],
+    pub(super) factors: &'a mut [T],
     /// Right-hand sides, overwritten by solutions, at pivots and border of each front, both padded.
-    pub(super) vectors: &'a mut [f32],
+    pub(super) vectors: &'a mut [T],
     /// One workspace for each task.
-    pub(super) scratch: &'a mut [Vec<f32>],
+    pub(super) scratch: &'a mut [Vec<T>],
 }
 
 /// A subtree with its root front and its parts of the two stacks.
-pub(super) struct Part<'a> {
+pub(super) struct Part<'a, T> {
     pub(super) root: usize,
-    pub(super) subtree: Subtree<'a>,
-    pub(super) stacks: [&'a mut [f32]; 2],
+    pub(super) subtree: Subtree<'a, T>,
+    pub(super) stacks: [&'a mut [T]; 2],
 }
 
 /// Parts of the tree that do not depend on each other.
@@ -43,10 +44,10 @@ pub(super) enum Level {
     Fronts(u32),
 }
 
-impl Subtree<'_> {
+impl<T> Subtree<'_, T> {
     /// A shorter borrow of the storage.
     #[inline(always)]
-    fn all(&mut self) -> Subtree<'_> {
+    fn all(&mut self) -> Subtree<'_, T> {
         Subtree { first: self.first, factors: self.factors, vectors: self.vectors, scratch: self.scratch }
     }
 }
@@ -65,27 +66,27 @@ pub(super) struct Traversal<'a> {
 }
 
 /// One half of a substitution on consecutive fronts.
-struct Substitution<'a, 'b> {
+struct Substitution<'a, 'b, T> {
     /// The tree.
     traversal: Traversal<'a>,
     /// Range of fronts.
     fronts: Range<usize>,
     /// Their storage.
-    subtree: Subtree<'b>,
+    subtree: Subtree<'b, T>,
     /// Forward (from the leaves to the root) or backward.
     forward: bool,
 }
 
-impl WithSimd for Substitution<'_, '_> {
+impl<T: Real> WithSimd for Substitution<'_, '_, T> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        if S::F32_LANES > VECTOR { self.work(Scalar) } else { self.work(simd) }
+        if T::lanes::<S>() > VECTOR { self.work(Scalar) } else { self.work(simd) }
     }
 }
 
-impl Substitution<'_, '_> {
+impl<T: Real> Substitution<'_, '_, T> {
     /// Substitutes on the fronts, in order for the forward and in reverse for the backward half.
     #[inline(always)]
     fn work<S: Simd>(mut self, simd: S) {
@@ -103,7 +104,7 @@ impl Substitution<'_, '_> {
 
 impl Traversal<'_> {
     /// Splits the storage before front `at`.
-    fn split<'b>(&self, subtree: Subtree<'b>, at: usize) -> (Subtree<'b>, Subtree<'b>) {
+    fn split<'b, T: Real>(&self, subtree: Subtree<'b, T>, at: usize) -> (Subtree<'b, T>, Subtree<'b, T>) {
         let Subtree { first, factors, vectors, scratch } = subtree;
         let (from, to) = (&self.structure.fronts[first], &self.structure.fronts[at]);
         let factors = factors.split_at_mut(to.factors_at - from.factors_at);
@@ -117,13 +118,18 @@ impl Traversal<'_> {
     }
 
     /// The children of a front if more than one task is available for them.
-    fn parallel_children(&self, root: usize, subtree: &Subtree<'_>) -> Option<[usize; 2]> {
+    fn parallel_children<T: Real>(&self, root: usize, subtree: &Subtree<'_, T>) -> Option<[usize; 2]> {
         self.supernodes[root].children.filter(|_| subtree.scratch.len() > 1)
     }
 
     /// Applies `work` to the parts of `tree` on a level, in parallel. Where they are fewer than the threads, one after
     /// the other, and `work` gets the flag that each is alone and may use all threads.
-    pub(super) fn for_each_part(&self, tree: Part<'_>, level: Level, work: impl Fn(Part<'_>, bool) + Sync) {
+    pub(super) fn for_each_part<T: Real>(
+        &self,
+        tree: Part<'_, T>,
+        level: Level,
+        work: impl Fn(Part<'_, T>, bool) + Sync,
+    ) {
         let tasks = tree.subtree.scratch.len();
         if tasks == 1 {
             return work(tree, true);
@@ -138,7 +144,7 @@ impl Traversal<'_> {
     }
 
     /// Collects the parts of `tree` on a level.
-    fn divide<'b>(&self, tree: Part<'b>, level: Level, parts: &mut Vec<Part<'b>>) {
+    fn divide<'b, T: Real>(&self, tree: Part<'b, T>, level: Level, parts: &mut Vec<Part<'b, T>>) {
         let Some([one, two]) = self.parallel_children(tree.root, &tree.subtree) else {
             if level == Level::Subtrees {
                 parts.push(tree);
@@ -166,10 +172,10 @@ impl Traversal<'_> {
 
     /// Factorizes a subtree, front after front, and leaves its update matrix on the first stack. Returns whether all
     /// pivots are finite and `must_stop` was false throughout.
-    pub(super) fn eliminate_subtree(
+    pub(super) fn eliminate_subtree<T: Real>(
         &self,
-        part: Part<'_>,
-        matrix: Matrix<'_>,
+        part: Part<'_, T>,
+        matrix: Matrix<'_, T>,
         must_stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
         let Part { root, mut subtree, stacks: [own, other] } = part;
@@ -191,7 +197,12 @@ impl Traversal<'_> {
 
     /// Eliminates the root front of a part, whose children have left their update matrices on the second stack.
     /// A front that `is_alone` uses all threads. Returns whether all pivots are finite.
-    pub(super) fn eliminate_front(&self, part: Part<'_>, is_alone: bool, matrix: Matrix<'_>) -> bool {
+    pub(super) fn eliminate_front<T: Real>(
+        &self,
+        part: Part<'_, T>,
+        is_alone: bool,
+        matrix: Matrix<'_, T>,
+    ) -> bool {
         let Part { root, subtree, stacks: [own, other] } = part;
         let (structure, is_divided) = (self.structure, subtree.scratch.len() > 1);
         let front = &structure.fronts[root];
@@ -218,20 +229,24 @@ impl Traversal<'_> {
     }
 
     /// One half of a substitution on a part of a level, the forward or the backward one.
-    pub(super) fn substitute(&self, level: Level, part: Part<'_>, forward: bool) {
+    pub(super) fn substitute<T: Real>(&self, level: Level, part: Part<'_, T>, forward: bool) {
         let Part { root, subtree, .. } = part;
         let first = if level == Level::Subtrees { self.supernodes[root].first } else { root };
         self.run(first..root + 1, subtree, forward);
     }
 
     /// Substitutes on consecutive fronts with the SIMD instructions of the machine.
-    fn run(&self, fronts: Range<usize>, subtree: Subtree<'_>, forward: bool) {
+    fn run<T: Real>(&self, fronts: Range<usize>, subtree: Subtree<'_, T>, forward: bool) {
         self.arch.dispatch(Substitution { traversal: *self, fronts, subtree, forward });
     }
 
     /// The vectors of the earlier fronts, and factors, vector and workspace of front `f`.
     #[inline(always)]
-    fn open<'b>(&self, f: usize, subtree: Subtree<'b>) -> Option<(&'b mut [f32], [&'b mut [f32]; 3])> {
+    fn open<'b, T: Real>(
+        &self,
+        f: usize,
+        subtree: Subtree<'b, T>,
+    ) -> Option<(&'b mut [T], [&'b mut [T]; 3])> {
         let Subtree { first, factors, vectors, scratch } = subtree;
         let (from, front) = (&self.structure.fronts[first], &self.structure.fronts[f]);
         let (below, own) = vectors.split_at_mut(front.vectors_at - from.vectors_at);
@@ -249,11 +264,11 @@ impl Traversal<'_> {
 
     /// Assembles the contributions of the children to front `f` and eliminates its pivots.
     #[inline(always)]
-    fn forward_front<S: Simd>(&self, simd: S, f: usize, subtree: Subtree<'_>) {
+    fn forward_front<S: Simd, T: Real>(&self, simd: S, f: usize, subtree: Subtree<'_, T>) {
         let (structure, first) = (self.structure, subtree.first);
         let front = &structure.fronts[f];
         let Some((below, [values, own, scratch])) = self.open(f, subtree) else { return };
-        own[front.pivot_rows()..].fill(0.0);
+        own[front.pivot_rows()..].fill(T::zero());
         for child in self.supernodes[f].children.into_iter().flatten() {
             let child = &structure.fronts[child];
             extend_add(own, &below[self.border_at(child, first)..], structure.index_ranges(child), 0);
@@ -263,7 +278,7 @@ impl Traversal<'_> {
 
     /// Solution at the pivots of front `f` from that at its border, copied to the borders of its children.
     #[inline(always)]
-    fn backward_front<S: Simd>(&self, simd: S, f: usize, subtree: Subtree<'_>) {
+    fn backward_front<S: Simd, T: Real>(&self, simd: S, f: usize, subtree: Subtree<'_, T>) {
         let (structure, first) = (self.structure, subtree.first);
         let front = &structure.fronts[f];
         let Some((below, [values, own, scratch])) = self.open(f, subtree) else { return };

@@ -11,32 +11,33 @@ use pulp::Arch;
 
 use super::Matrix;
 use super::dissection::{Dissection, Supernode};
+use super::real::Real;
 use super::structure::{Front, Structure};
 use super::traversal::{Level, Part, Subtree, Traversal};
 
 /// The tree of fronts with its storage.
 #[derive(Debug)]
-pub(super) struct Tree {
+pub(super) struct Tree<T> {
     /// The separator tree.
     dissection: Dissection,
     /// The fronts of the matrix.
     pub(super) structure: Structure,
     /// Right-hand sides, overwritten by solutions, front by front.
-    vectors: Vec<f32>,
+    vectors: Vec<T>,
     /// Factors, front by front.
-    factors: Vec<f32>,
+    factors: Vec<T>,
     /// Two stacks of update matrices that alternate between levels of the tree: one for a front and its
     /// grandchildren, the other for its children.
-    update_stacks: [Vec<f32>; 2],
+    update_stacks: [Vec<T>; 2],
     /// Sizes that the subtree of each front needs on its own stack and on the other one.
     stack_sizes: Vec<[usize; 2]>,
     /// Number of tasks for the subtree of each front.
     tasks: Vec<usize>,
     /// One workspace for each task.
-    scratch: Vec<Vec<f32>>,
+    scratch: Vec<Vec<T>>,
 }
 
-impl Tree {
+impl<T: Real> Tree<T> {
     /// Storage for all matrices on a grid of `nx` x `ny` nodes, with `tasks` parallel tasks. Memory that
     /// small fronts never write is not committed.
     pub(super) fn new(nx: usize, ny: usize, tasks: usize) -> Self {
@@ -44,18 +45,18 @@ impl Tree {
         let structure = Structure::full(&dissection, nx, ny);
         let scratch = structure.fronts.iter().map(Front::scratch).max().unwrap_or_default();
         let mut tree = Self {
-            vectors: vec![0.0; structure.vectors],
-            factors: vec![0.0; structure.factors],
+            vectors: vec![T::zero(); structure.vectors],
+            factors: vec![T::zero(); structure.factors],
             update_stacks: Default::default(),
             stack_sizes: Vec::with_capacity(structure.fronts.len()),
             tasks: distribute_tasks(&dissection.supernodes, tasks),
-            scratch: vec![vec![0.0; scratch]; tasks],
+            scratch: vec![vec![T::zero(); scratch]; tasks],
             dissection,
             structure,
         };
         tree.compute_stack_sizes();
         tree.update_stacks =
-            tree.stack_sizes.last().copied().unwrap_or_default().map(|depth| vec![0.0; depth]);
+            tree.stack_sizes.last().copied().unwrap_or_default().map(|depth| vec![T::zero(); depth]);
         tree
     }
 
@@ -66,7 +67,7 @@ impl Tree {
     }
 
     /// The read-only part of a traversal, and the whole tree.
-    fn parts(&mut self) -> (Traversal<'_>, Part<'_>) {
+    fn parts(&mut self) -> (Traversal<'_>, Part<'_, T>) {
         let Self {
             dissection,
             structure,
@@ -84,15 +85,9 @@ impl Tree {
         )
     }
 
-    /// The levels from the leaves to the root.
-    fn levels(&self) -> impl DoubleEndedIterator<Item = Level> + use<> {
-        let fronts = self.scratch.len().next_power_of_two().ilog2();
-        std::iter::once(Level::Subtrees).chain((0..fronts).rev().map(Level::Fronts))
-    }
-
     /// Factorizes a matrix; returns whether all pivots are finite and `must_stop` was false throughout.
-    pub(super) fn eliminate(&mut self, matrix: Matrix<'_>, must_stop: &(dyn Fn() -> bool + Sync)) -> bool {
-        let (levels, is_finite) = (self.levels(), AtomicBool::new(true));
+    pub(super) fn eliminate(&mut self, matrix: Matrix<'_, T>, must_stop: &(dyn Fn() -> bool + Sync)) -> bool {
+        let (levels, is_finite) = (levels(self.scratch.len()), AtomicBool::new(true));
         for level in levels {
             let (traversal, tree) = self.parts();
             traversal.for_each_part(tree, level, |part, is_alone| {
@@ -115,7 +110,7 @@ impl Tree {
     }
 
     /// Overwrites the right-hand side at the coupled nodes with the solution.
-    pub(super) fn solve(&mut self, rhs: &mut [f32]) {
+    pub(super) fn solve(&mut self, rhs: &mut [T]) {
         for front in &self.structure.fronts {
             let nodes = &self.structure.nodes[front.pivots.clone()];
             for (right, &node) in self.vectors[front.vectors_at..].iter_mut().zip(nodes) {
@@ -123,8 +118,8 @@ impl Tree {
             }
         }
         // substitution on all fronts, from the leaves to the root and back
-        let up = self.levels().map(|level| (level, true));
-        let down = self.levels().rev().map(|level| (level, false));
+        let up = levels(self.scratch.len()).map(|level| (level, true));
+        let down = levels(self.scratch.len()).rev().map(|level| (level, false));
         for (level, forward) in up.chain(down) {
             let (traversal, tree) = self.parts();
             traversal.for_each_part(tree, level, |part, _| traversal.substitute(level, part, forward));
@@ -156,6 +151,12 @@ impl Tree {
             stack_sizes.push([own, other]);
         }
     }
+}
+
+/// The levels of a traversal with this number of tasks, from the leaves to the root.
+fn levels(tasks: usize) -> impl DoubleEndedIterator<Item = Level> {
+    let fronts = tasks.next_power_of_two().ilog2();
+    std::iter::once(Level::Subtrees).chain((0..fronts).rev().map(Level::Fronts))
 }
 
 /// Distributes the tasks over the subtrees of each supernode.

@@ -18,7 +18,7 @@ pub(crate) trait FluidBlock: Debug + Send + Sync {
     fn row_size(&self, diagonal: f32) -> f32;
 }
 
-impl FluidBlock for GridLu {
+impl FluidBlock for GridLu<f32> {
     fn prepare(&mut self, stencil: &[f32], must_stop: &(dyn Fn() -> bool + Sync)) -> bool {
         self.factorise_unless(stencil, must_stop)
     }

@@ -111,7 +111,7 @@ impl Clone for NewtonKrylov {
 
 impl Default for NewtonKrylov {
     fn default() -> Self {
-        Self::by(|grid| Box::new(GridLu::new(grid.nx(), grid.ny())), NewtonSettings::default())
+        Self::by(|grid| Box::new(GridLu::<f32>::new(grid.nx(), grid.ny())), NewtonSettings::default())
     }
 }
 

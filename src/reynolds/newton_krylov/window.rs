@@ -23,7 +23,7 @@ pub(super) struct Window {
     pub(super) place: WindowPlace,
     fluid: Discretisation,
     linearization: Linearization,
-    lu: GridLu,
+    lu: GridLu<f32>,
     stencil: Vec<f32>,
     nodes: Vec<NodeSolution>,
     best: Vec<NodeSolution>,
