@@ -23,9 +23,6 @@ pub enum SolverId {
     SemiSystem,
     /// [`Multigrid`](crate::reynolds::Multigrid).
     Multigrid,
-    /// Started by [`Multigrid`](crate::reynolds::Multigrid) and finished by
-    /// [`NewtonKrylov`](crate::reynolds::NewtonKrylov).
-    MultigridThenNewton,
     /// [`Dry`](crate::reynolds::Dry).
     Dry,
     /// [`AsperityInlets`](crate::reynolds::AsperityInlets).
@@ -40,11 +37,10 @@ pub enum SolverId {
 
 impl SolverId {
     /// Solvers of the crate.
-    const OWN: [Self; 8] = [
+    const OWN: [Self; 7] = [
         Self::NewtonKrylov,
         Self::SemiSystem,
         Self::Multigrid,
-        Self::MultigridThenNewton,
         Self::Dry,
         Self::AsperityInlets,
         Self::Auto,
@@ -56,7 +52,6 @@ impl SolverId {
             Self::NewtonKrylov => "newton_krylov",
             Self::SemiSystem => "semi_system",
             Self::Multigrid => "multigrid",
-            Self::MultigridThenNewton => "multigrid+newton_krylov",
             Self::Dry => "dry",
             Self::AsperityInlets => "asperity_inlets",
             Self::Auto => "auto",

@@ -128,6 +128,14 @@ fn central_film_at_rest_decays_by_the_squeeze_of_a_hertz_contact() {
     assert!(rest.last().unwrap().film_central < 0.5 * start.film_central);
 }
 
+/// At rest nothing is entrained: shorter steps leave the film as it is.
+#[test]
+fn film_of_a_contact_at_rest_is_independent_of_the_number_of_steps() {
+    let [few, many] = [120, 720].map(|steps| *solve(stopping(18e-9, 24e-3, steps)).points.last().unwrap());
+    close(few.film_central, many.film_central, 0.005);
+    close(few.film_minimum, many.film_minimum, 0.02);
+}
+
 /// Steps that are too long for the film that drains are halved; in the end solids carry.
 #[test]
 fn contact_at_rest_carries_on_by_solids_when_its_oil_has_drained() {

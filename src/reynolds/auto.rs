@@ -18,8 +18,8 @@ use super::{
 use crate::report::{SolveReport, Status};
 use crate::solver_id::SolverId;
 
-/// Newton's method takes over from multigrid after this number of cycles, which cost more than it does. It starts
-/// from their state if the residual is below this bound, otherwise from the given state.
+/// Newton's method takes over from multigrid where more than this number of cycles is predicted, which cost more than it
+/// does. It starts from the given state: from that of the cycles it may take hundreds of steps.
 const HAND_OVER: HandOver = HandOver { cycles: 11, residual: 1.0 };
 
 /// Up to this number of nodes Newton's method needs fewer convolutions than multigrid cycles, and factorization is
@@ -31,10 +31,9 @@ const FEW_NODES: usize = 64 * 64;
 const FILM_OVER_CONTACT: f64 = 10.0;
 
 /// Uses [`Dry`] without a lubricant. Uses [`Multigrid`] if a smooth full film is expected on more than 64 x 64
-/// nodes; [`NewtonKrylov`] continues if the tolerance is not reached, and solves all other contacts. If it does not
+/// nodes; [`NewtonKrylov`] follows if the tolerance is not reached, and solves all other contacts. If it does not
 /// converge and no solids touch, [`SemiSystem`] is tried, which would not converge in solid contact. The report
-/// names the solver whose state was kept ([`SolverId::MultigridThenNewton`] if Newton's method continued from
-/// multigrid) and sums the work of all.
+/// names the solver whose state was kept and sums the work of all.
 ///
 /// A smooth contact whose film by formula is at least ten times the contact film, but whose solids touch on this
 /// mesh, ends as [`Status::MeshTooCoarse`].
@@ -172,16 +171,12 @@ impl Auto {
         if first.status == Status::Converged {
             return Ok(first);
         }
-        // Newton's method continues a state that is nearly solved, else begins again.
-        let is_near = first.status != Status::MeshTooCoarse && first.residual.max() < HAND_OVER.residual;
-        if !is_near && let Some(given) = &self.kept {
+        // Newton's method begins again.
+        if let Some(given) = &self.kept {
             state.clone_from(given);
         }
         let too_coarse = first.status == Status::MeshTooCoarse;
         let mut second = self.newton_then_sweeps(problem, state, stop)?.preceded_by(first);
-        if is_near && second.status == Status::Converged && second.solver == self.newton.id() {
-            second.solver = SolverId::MultigridThenNewton;
-        }
         if too_coarse && second.status != Status::Converged {
             second.status = Status::MeshTooCoarse;
         }

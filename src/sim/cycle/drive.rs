@@ -10,8 +10,6 @@ use crate::sim::scene::cycle_table::{CycleRow, CycleTable};
 
 /// Least entrainment speed over the largest one of the cycle.
 const LEAST_ENTRAINMENT: f64 = 1e-9;
-/// Way of the entrained film in a step at a dead point, in half-widths. Squeeze governs such a film.
-const LEAST_WAY: f64 = 1e-3;
 /// Most rounds of a cycle that repeats.
 const MOST_ROUNDS: usize = 5;
 /// Relative difference of the last central film from that one cycle before, from which on a further round is solved.
@@ -202,11 +200,7 @@ impl Drive {
         if entrainment * self.direction < 0.0 {
             self.mirror()?;
         }
-        let mut least = LEAST_ENTRAINMENT * self.table.largest_entrainment();
-        if !self.table.quasi_static {
-            least = least.max(LEAST_WAY * self.sim.contact.hertz.half_extents()[0] / time_step);
-        }
-        let speed = entrainment.abs().max(least);
+        let speed = entrainment.abs().max(LEAST_ENTRAINMENT * self.table.largest_entrainment());
         let sliding = self.direction * (row.speeds[0] - row.speeds[1]);
         set_conditions(&mut self.sim, row, [speed, sliding])?;
         let record = self.sim.step_with_restart(time_step)?;
