@@ -10,6 +10,7 @@ mod drive;
 mod end;
 mod passages;
 mod point;
+mod skipped;
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -22,6 +23,7 @@ use crate::sim::scene::cycle_table::{CycleRow, CycleTable};
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 use crate::sim::scene::{Flash, GridSpec, InletSpec, Motion, RoughnessState, Scene};
 use crate::surface::{Fixed, Form};
+use crate::units::by_size;
 
 pub use cycle_record::CycleRecord;
 pub use end::CycleEnd;
@@ -94,8 +96,11 @@ impl SimBuilder {
         }
         self.motion = Some(std::sync::Arc::new(Fixed));
         self.squeeze = !table.quasi_static;
+        let skipped = skipped::skipped_motion(&self.scene, &table)?;
         let sim = self.build()?;
-        drive::Drive::new(sim, table).run(observer)
+        let mut solution = drive::Drive::new(sim, table).run(observer)?;
+        solution.warnings.extend(skipped);
+        Ok(solution)
     }
 }
 
@@ -206,7 +211,12 @@ fn require_rows(scene: &Scene, grid: &Grid, table: &CycleTable) -> Result<(), In
             setup::validate_room(&at, grid, &hertz)
         });
         fits.map_err(|error| InputError::Conflict {
-            field: format!("cycle, row {index} with load = {:?}, radius = {:?}", row.load, row.radius),
+            field: format!(
+                "{}: load = {}, radius = {}",
+                table.source.row(index),
+                by_size(row.load, if at.form.is_line() { "N/m" } else { "N" }),
+                by_size(row.radius, "m")
+            ),
             reason: error.to_string(),
         })?;
     }

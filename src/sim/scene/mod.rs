@@ -9,6 +9,7 @@
 mod bearing;
 mod cycle;
 mod cycle_file;
+mod cycle_source;
 pub(in crate::sim) mod cycle_table;
 #[cfg(feature = "serde")]
 mod document;

@@ -12,6 +12,7 @@ mod quantity;
 mod quasi_static;
 mod rough;
 mod solved;
+mod strip_mesh;
 
 use std::fmt;
 

@@ -11,6 +11,7 @@ use stribeck::analytic::HertzPoint;
 use stribeck::sim::{MixedLubricationSim, RigidBearing, Scene};
 use stribeck::units::Dimension;
 
+use super::given::{self, OIL};
 use super::{Options as Init, STEEL, answers, oil, plain, rounded};
 use crate::output::{self, Outcome};
 
@@ -18,9 +19,6 @@ use crate::output::{self, Outcome};
 const DRY_BOX: f64 = 3.0;
 /// Keys of `[grid]` of line contacts.
 const LINE_GRID: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
-
-/// Options of the oil.
-const OIL: &str = "an oil (--grade, --eta0, --alpha)";
 
 /// Options of the elements.
 #[derive(clap::Args)]
@@ -109,23 +107,7 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
 
 /// Error for a given option that the element `name`, which takes the load and the `used` options, leaves out.
 fn require_used(options: &Init, name: &str, used: &[&str]) -> Result<(), String> {
-    let given = [
-        ("--radius", options.radius.is_some()),
-        ("--speed", options.speed.is_some()),
-        ("--slide-roll-ratio", options.slide_roll_ratio.is_some()),
-        ("--rotation", options.machine.rotation().is_some()),
-        (OIL, options.grade.is_some() || options.eta0.is_some() || options.alpha.is_some()),
-        ("--roughness", options.roughness.is_some()),
-        ("--finish", options.finish.is_some()),
-        ("--surface", options.surface.is_some()),
-        ("--cells", options.cells.is_some()),
-    ];
-    match given.iter().find(|(option, is_given)| *is_given && !used.contains(option)) {
-        None => Ok(()),
-        Some((option, _)) => Err(format!(
-            "{option} has no effect on the scene of {name}; leave it out, and change the key in the scene file"
-        )),
-    }
+    given::require_used(options, name, &[used, &["--load"]].concat())
 }
 
 /// The text of a quantity: that of the option `key`, or the usual one; and its value.
