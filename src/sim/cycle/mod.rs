@@ -87,6 +87,7 @@ impl SimBuilder {
         observer: &mut dyn FnMut(&CyclePoint) -> bool,
     ) -> Result<CycleSolution, SimError> {
         let table = CycleTable::new(&self.scene)?;
+        let is_flooded = self.scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::Flooded);
         self.scene = cycle_scene(self.scene, &table)?;
         require_rows(&self.scene, &self.scene.grid()?, &table)?;
         if !self.scene.motion.roughness.is_at_rest() {
@@ -95,7 +96,10 @@ impl SimBuilder {
         self.motion = Some(std::sync::Arc::new(Fixed));
         self.squeeze = !table.quasi_static;
         let sim = self.build()?;
-        drive::Drive::new(sim, table).run(observer)
+        let cut = if is_flooded { sim.contact.cut_inlet(&sim.scene)? } else { None };
+        let mut solution = drive::Drive::new(sim, table).run(observer)?;
+        solution.warnings.extend(cut);
+        Ok(solution)
     }
 }
 

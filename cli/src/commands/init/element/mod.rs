@@ -11,13 +11,16 @@ use stribeck::analytic::HertzPoint;
 use stribeck::sim::{MixedLubricationSim, RigidBearing, Scene};
 use stribeck::units::Dimension;
 
-use super::{Options as Init, STEEL, answers, oil, plain, rounded};
+use super::{Options as Init, STEEL, answers, machine, oil, plain, rounded};
 use crate::output::{self, Outcome};
 
 /// Half a side of the box of a dry contact, in half-widths: room for the scar to grow.
 const DRY_BOX: f64 = 3.0;
 /// Keys of `[grid]` of line contacts.
 const LINE_GRID: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
+
+/// Temperature of the oil in the inlet where no standard names one \[degC\].
+const USUAL_CELSIUS: f64 = 60.0;
 
 /// Options of the oil.
 const OIL: &str = "an oil (--grade, --eta0, --alpha)";
@@ -56,6 +59,8 @@ struct Element {
     /// Table of the rolling bearing, or nothing.
     bearing: String,
     is_dry: bool,
+    /// Usual temperature of the oil \[degC\].
+    celsius: f64,
     /// Keys of `[grid]`.
     grid: String,
 }
@@ -118,11 +123,13 @@ fn require_used(options: &Init, name: &str, used: &[&str]) -> Result<(), String>
         ("--roughness", options.roughness.is_some()),
         ("--finish", options.finish.is_some()),
         ("--surface", options.surface.is_some()),
+        ("--length", options.length.is_some()),
         ("--cells", options.cells.is_some()),
     ];
-    match given.iter().find(|(option, is_given)| *is_given && !used.contains(option)) {
+    let unused = given.iter().find(|(option, is_given)| *is_given && !used.contains(option));
+    match unused.map(|(option, _)| *option).or_else(|| machine::stray_beside_rotation(&options.machine)) {
         None => Ok(()),
-        Some((option, _)) => Err(format!(
+        Some(option) => Err(format!(
             "{option} has no effect on the scene of {name}; leave it out, and change the key in the scene file"
         )),
     }
@@ -159,8 +166,18 @@ fn oil_tables(options: &Init, grade: &str, celsius: f64) -> Result<String, Box<d
 
 /// The scene file of `element`.
 fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
-    let Element { title, form, materials: [ball, disc], load, motion, boundary, bearing, is_dry, grid } =
-        element;
+    let Element {
+        title,
+        form,
+        materials: [ball, disc],
+        load,
+        motion,
+        boundary,
+        bearing,
+        is_dry,
+        celsius,
+        grid,
+    } = element;
     let bodies = format!(
         "{title}# `stribeck check` lists the contact, `stribeck solve` solves it. Every key: docs/scene.md.\n\n[form]\n{form}\n\
          [materials.ball]\nmaterial = \"{ball}\"\n\n[materials.disc]\nmaterial = \"{disc}\"\n\n[load]\n{load}\n[motion]\n{motion}\n"
@@ -171,7 +188,7 @@ fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
         format!(
             "{}\n[friction]\nboundary_coefficient = {boundary} # where solids touch\neyring_stress = \"5 MPa\" # shear stress above which the oil \
              thins\n",
-            oil_tables(options, "ISO VG 68", 60.0)?
+            oil_tables(options, "ISO VG 68", *celsius)?
         )
     };
     Ok(format!("{bodies}{oil}{bearing}\n[grid]\n{grid}"))

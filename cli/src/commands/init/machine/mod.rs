@@ -129,8 +129,13 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
     Ok(Some(Outcome::Converged))
 }
 
-/// An option of a machine.
+/// A given option of a machine.
 fn stray(options: &Options) -> Option<&'static str> {
+    stray_beside_rotation(options).or_else(|| options.rotation.map(|_| "--rotation"))
+}
+
+/// A given option of a machine other than `--rotation`.
+pub(super) fn stray_beside_rotation(options: &Options) -> Option<&'static str> {
     let given = [
         ("--module", options.module.is_some()),
         ("--teeth", options.teeth.is_some()),
@@ -139,7 +144,6 @@ fn stray(options: &Options) -> Option<&'static str> {
         ("--centre-distance", options.centre_distance.is_some()),
         ("--face-width", options.face_width.is_some()),
         ("--torque", options.torque.is_some()),
-        ("--rotation", options.rotation.is_some()),
         ("--base-circle", options.base_circle.is_some()),
         ("--spring-rate", options.spring_rate.is_some()),
         ("--preload", options.preload.is_some()),
