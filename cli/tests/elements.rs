@@ -64,8 +64,11 @@ fn bearings_have_their_inner_geometry_and_source() {
     close(&roller["hertz"]["force"], 5.0 * 1000.0 / 14.0 / 9.6e-3, 1e-5);
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
-    assert_refused(&["init", "--bearing", "7208", text(&path)], &["7208", "the nearest: 6208, "]);
-    assert_refused(&["init", "--bearing", "NU2210", text(&path)], &["the nearest: NU210"]);
+    assert_refused(
+        &["init", "--bearing", "7208", text(&path)],
+        &["7208", "deep-groove", "its bore of 40 mm: 6008, 6208, 6308, NU208"],
+    );
+    assert_refused(&["init", "--bearing", "NU2210", text(&path)], &["its bore of 50 mm", "NU210"]);
     assert!(!path.exists());
 }
 

@@ -24,13 +24,14 @@ use crate::files;
 use crate::output::{self, Outcome};
 
 /// Options of a ball on a disc.
-const OPTIONS: [&str; 9] = [
+const OPTIONS: [&str; 10] = [
     "--radius",
     "--load",
     "--speed",
     "--slide-roll-ratio",
     given::OIL,
     "--roughness",
+    "--length",
     "--finish",
     "--surface",
     "--cells",

@@ -89,6 +89,7 @@ impl SimBuilder {
         observer: &mut dyn FnMut(&CyclePoint) -> bool,
     ) -> Result<CycleSolution, SimError> {
         let table = CycleTable::new(&self.scene)?;
+        let is_flooded = self.scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::Flooded);
         self.scene = cycle_scene(self.scene, &table)?;
         require_rows(&self.scene, &self.scene.grid()?, &table)?;
         if !self.scene.motion.roughness.is_at_rest() {
@@ -98,8 +99,9 @@ impl SimBuilder {
         self.squeeze = !table.quasi_static;
         let skipped = skipped::skipped_motion(&self.scene, &table)?;
         let sim = self.build()?;
+        let cut = if is_flooded { sim.contact.cut_inlet(&sim.scene)? } else { None };
         let mut solution = drive::Drive::new(sim, table).run(observer)?;
-        solution.warnings.extend(skipped);
+        solution.warnings.extend(cut.into_iter().chain(skipped));
         Ok(solution)
     }
 }

@@ -5,8 +5,8 @@ use super::Options;
 /// Options of the oil.
 pub(super) const OIL: &str = "an oil (--grade, --eta0, --alpha)";
 
-/// Names of the options that describe a scene, and whether each is given. `--length` comes with `--roughness`,
-/// `--viscosity-index` and `--temperature` with `--grade`.
+/// Names of the options that describe a scene, and whether each is given. `--viscosity-index` and
+/// `--temperature` come with `--grade`.
 fn options_given(options: &Options) -> impl Iterator<Item = &'static str> {
     let contact = [
         ("--radius", options.radius.is_some()),
@@ -15,6 +15,7 @@ fn options_given(options: &Options) -> impl Iterator<Item = &'static str> {
         ("--slide-roll-ratio", options.slide_roll_ratio.is_some()),
         (OIL, options.grade.is_some() || options.eta0.is_some() || options.alpha.is_some()),
         ("--roughness", options.roughness.is_some()),
+        ("--length", options.length.is_some()),
         ("--finish", options.finish.is_some()),
         ("--surface", options.surface.is_some()),
         ("--cells", options.cells.is_some()),

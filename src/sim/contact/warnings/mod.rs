@@ -17,7 +17,9 @@ mod strip_mesh;
 use std::fmt;
 
 #[cfg(feature = "serde")]
-pub(in crate::sim) use bearing::bearing_warnings;
+pub(in crate::sim) use bearing::{bearing_warnings, unsolved_bearing};
+#[cfg(feature = "serde")]
+pub(in crate::sim) use given_film::film_warnings;
 pub use given_film::given_film_warnings;
 pub(in crate::sim) use left_out::{OperatingPoint, left_out};
 pub(in crate::sim) use plausible::{of_own_laws, reject_height_unit, reject_units};

@@ -20,6 +20,9 @@ const DRY_BOX: f64 = 3.0;
 /// Keys of `[grid]` of line contacts.
 const LINE_GRID: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
 
+/// Temperature of the oil in the inlet where no standard names one \[degC\].
+const USUAL_CELSIUS: f64 = 60.0;
+
 /// Options of the elements.
 #[derive(clap::Args)]
 pub(super) struct Options {
@@ -54,6 +57,8 @@ struct Element {
     /// Table of the rolling bearing, or nothing.
     bearing: String,
     is_dry: bool,
+    /// Usual temperature of the oil \[degC\].
+    celsius: f64,
     /// Keys of `[grid]`.
     grid: String,
 }
@@ -77,6 +82,7 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
                 "--speed",
                 "--slide-roll-ratio",
                 "--roughness",
+                "--length",
                 "--finish",
                 OIL,
                 if rough { "--cells" } else { "" },
@@ -141,8 +147,18 @@ fn oil_tables(options: &Init, grade: &str, celsius: f64) -> Result<String, Box<d
 
 /// The scene file of `element`.
 fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
-    let Element { title, form, materials: [ball, disc], load, motion, boundary, bearing, is_dry, grid } =
-        element;
+    let Element {
+        title,
+        form,
+        materials: [ball, disc],
+        load,
+        motion,
+        boundary,
+        bearing,
+        is_dry,
+        celsius,
+        grid,
+    } = element;
     let bodies = format!(
         "{title}# `stribeck check` lists the contact, `stribeck solve` solves it. Every key: docs/scene.md.\n\n[form]\n{form}\n\
          [materials.ball]\nmaterial = \"{ball}\"\n\n[materials.disc]\nmaterial = \"{disc}\"\n\n[load]\n{load}\n[motion]\n{motion}\n"
@@ -153,7 +169,7 @@ fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
         format!(
             "{}\n[friction]\nboundary_coefficient = {boundary} # where solids touch\neyring_stress = \"5 MPa\" # shear stress above which the oil \
              thins\n",
-            oil_tables(options, "ISO VG 68", 60.0)?
+            oil_tables(options, "ISO VG 68", *celsius)?
         )
     };
     Ok(format!("{bodies}{oil}{bearing}\n[grid]\n{grid}"))

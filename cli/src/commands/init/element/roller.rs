@@ -8,7 +8,7 @@ use stribeck::units::Dimension;
 use super::super::answers::disc;
 use super::super::disc::{Disc, STRIP};
 use super::super::{HARDNESS, Options as Init, plain, rounded};
-use super::{Element, LINE_GRID, quantity, text};
+use super::{Element, LINE_GRID, USUAL_CELSIUS, quantity, text};
 
 /// Ends of the box of a rough roller before and behind the middle, in half-widths.
 const ENDS: [f64; 2] = [3.5, 1.7];
@@ -58,6 +58,7 @@ fn smooth(options: &Init) -> Result<Element, Box<dyn Error>> {
         boundary: 0.115,
         bearing: String::new(),
         is_dry: false,
+        celsius: USUAL_CELSIUS,
         grid: LINE_GRID.to_owned(),
     })
 }

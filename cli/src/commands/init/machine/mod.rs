@@ -16,7 +16,7 @@ use super::{Options as Init, answers};
 use crate::output::{self, Outcome};
 
 /// Options of the oil, the roughness and the cells, which all machines take.
-const COMMON_OPTIONS: [&str; 4] = [OIL, "--roughness", "--finish", "--cells"];
+const COMMON_OPTIONS: [&str; 5] = [OIL, "--roughness", "--length", "--finish", "--cells"];
 
 /// Options of the machines.
 #[derive(clap::Args)]
