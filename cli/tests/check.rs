@@ -116,7 +116,7 @@ fn paths(table: &toml::Table, start: &str, found: &mut Vec<String>) {
 #[test]
 fn explain_has_all_keys_of_the_examples() {
     let mut keys = Vec::new();
-    for file in std::fs::read_dir(common::repository("examples/scenes")).unwrap() {
+    for file in std::fs::read_dir(repository("examples/scenes")).unwrap() {
         let text = std::fs::read_to_string(file.unwrap().path()).unwrap_or_default();
         paths(&text.parse().unwrap_or_default(), "", &mut keys);
     }
@@ -126,7 +126,7 @@ fn explain_has_all_keys_of_the_examples() {
     assert!(keys.contains(&"roughness.disc.kind".to_owned()) && keys.len() > 50, "{keys:?}");
     for key in keys {
         let output = stribeck(&["explain", &key]);
-        assert!(output.status.success(), "{key}: {}", common::error_of(&output));
+        assert!(output.status.success(), "{key}: {}", error_of(&output));
     }
 }
 

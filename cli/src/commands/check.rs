@@ -1,6 +1,7 @@
 //! `stribeck check`: regime, film and load on solids by formula, whether a scene can be solved and run, and the
 //! parts of its model, without solving.
 
+mod cycle;
 mod parts;
 mod words;
 
@@ -58,12 +59,16 @@ struct Expected {
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let scene = output::load(&options.scene)?;
     let expected = Expected::of(&scene).map_err(|error| output::in_scene(&options.scene, error.as_ref()))?;
-    let numbers = expected.to_json()?;
+    let mut numbers = expected.to_json()?;
+    let rows = cycle::Rows::of(&scene).map_err(|error| output::in_scene(&options.scene, error.as_ref()))?;
     output::warn(&expected.warnings);
     if options.json {
+        if let Some(rows) = rows {
+            numbers["cycle"] = rows.to_json()?;
+        }
         output::print(&numbers)?;
     } else {
-        output::print(&expected.to_text())?;
+        output::print(&expected.to_text(rows.as_ref()))?;
     }
     Ok(Outcome::Converged)
 }

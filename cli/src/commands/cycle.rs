@@ -2,24 +2,37 @@
 
 mod chart;
 mod history;
+mod page;
 mod squeeze;
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::{Value, json};
-use stribeck::Status;
+use serde_json::json;
 use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, SimError};
 use stribeck::units::by_size;
 
 use crate::output::{self, Held, Outcome, Output, ReportFile};
 use crate::picture;
-use crate::report::{self, ErrorOf, Number, Report};
 use crate::{files, interrupt};
 use chart::{chart, pressure_unit};
 use squeeze::{largest_squeeze, squeeze_warning};
+
+/// Kind of contact, by which the results have units and films.
+#[derive(Clone, Copy)]
+struct Kind {
+    is_line: bool,
+    is_rough: bool,
+}
+
+impl Kind {
+    /// The film that represents the contact: the central one, of rough bodies the mean in the middle of the contact.
+    fn film(self, point: &CyclePoint) -> f64 {
+        if self.is_rough { point.film_mean_central } else { point.film_central }
+    }
+}
 
 /// Most lines of the printed table.
 const LINES: usize = 25;
@@ -41,7 +54,8 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let scene = output::load(&options.scene)?;
     options.report.claim(&options.scene, options.output.force)?;
     let name = format!("{}_cycle", output::stem(&options.scene));
-    let is_line = scene.form.is_line();
+    let kind = Kind { is_line: scene.form.is_line(), is_rough: !scene.is_smooth() };
+    let is_line = kind.is_line;
     let mut targets = vec![options.output.out.join(format!("{name}.csv"))];
     if scene.cycle.as_ref().is_some_and(|cycle| cycle.repeat.is_some()) {
         targets.push(options.output.out.join(format!("{name}s.csv")));
@@ -73,20 +87,16 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         files::write(path, history::csv(&solution.cycles, is_line).as_bytes())?;
     }
     if options.output.plot {
-        picture::write(
-            &chart(&output::stem(&options.scene), &solution, is_line),
-            &options.output.out,
-            &name,
-        )?;
+        picture::write(&chart(&output::stem(&options.scene), &solution, kind), &options.output.out, &name)?;
     }
-    finish(options, &solution, is_line, targets, start.elapsed().as_secs_f64())
+    finish(options, &solution, kind, targets, start.elapsed().as_secs_f64())
 }
 
 /// Prints the numbers of a solved cycle, and the files `written`.
 fn finish(
     options: &Options,
     solution: &CycleSolution,
-    is_line: bool,
+    kind: Kind,
     mut written: Vec<PathBuf>,
     seconds: f64,
 ) -> Result<Outcome, Box<dyn Error>> {
@@ -109,13 +119,13 @@ fn finish(
         "version": env!("CARGO_PKG_VERSION"),
     });
     if let Some(path) = &options.report.report {
-        write_report(options, (solution, squeeze), (&numbers, is_line), path)?;
+        page::write(options, (solution, squeeze), (&numbers, kind), path)?;
         written.push(path.clone());
     }
     if options.output.json {
         output::print(&numbers)?;
     } else {
-        output::print(&format!("{}\ntime       {seconds:.2} s", report(solution, is_line)))?;
+        output::print(&format!("{}\ntime       {seconds:.2} s", report(solution, kind)))?;
     }
     output::report_files(&written, options.output.json)?;
     if let Some(reason) = &solution.ended_early {
@@ -155,7 +165,8 @@ fn place(point: &CyclePoint) -> String {
 }
 
 /// The cycle in lines: its extremes, and a table of contacts.
-fn report(solution: &CycleSolution, is_line: bool) -> String {
+fn report(solution: &CycleSolution, kind: Kind) -> String {
+    let Kind { is_line, is_rough } = kind;
     let points = &solution.points;
     let step = match (solution.quasi_static, solution.is_moving) {
         (true, true) => "means of passages of moving roughness".to_owned(),
@@ -174,7 +185,7 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
         "ball, m/s",
         "disc, m/s",
         "load",
-        "h, nm",
+        if is_rough { "h mean,nm" } else { "h, nm" },
         "h min, nm",
         format!("p, {unit}"),
         "on solids",
@@ -182,7 +193,7 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
         "flash,K"
     ));
     let every = points.len().div_ceil(LINES).max(1);
-    lines.extend(points.iter().step_by(every).map(|point| row(point, pascals)));
+    lines.extend(points.iter().step_by(every).map(|point| row(point, kind, pascals)));
     lines.join("\n")
 }
 
@@ -232,7 +243,7 @@ fn extremes(solution: &CycleSolution, is_line: bool) -> Vec<String> {
 }
 
 /// A contact in a line, its pressure in so many `pascals`.
-fn row(point: &CyclePoint, pascals: f64) -> String {
+fn row(point: &CyclePoint, kind: Kind, pascals: f64) -> String {
     format!(
         "{:>12} {:>9.3} {:>9.3} {:>10.3e} {:>9.1} {:>9.1} {:>9.3} {:>9.4} {:>9.4} {:>7.1}",
         point
@@ -241,55 +252,11 @@ fn row(point: &CyclePoint, pascals: f64) -> String {
         point.ball_speed,
         point.disc_speed,
         point.load,
-        1e9 * point.film_central,
+        1e9 * kind.film(point),
         1e9 * point.film_minimum,
         point.pressure_max / pascals,
         point.contact_load_ratio,
         point.friction_coefficient,
         point.flash_rise.unwrap_or(0.0)
     )
-}
-
-/// Columns of the report.
-const COLUMNS: [(&str, &str, &str, f64); 12] = [
-    ("angle", "angle", "deg", 180.0 / std::f64::consts::PI),
-    ("time", "time", "ms", 1e3),
-    ("load", "load", "N", 1.0),
-    ("Hertz", "hertz_pressure", "GPa", 1e-9),
-    ("h formula", "formula_film", "nm", 1e9),
-    ("h", "film_central", "nm", 1e9),
-    ("h min", "film_minimum", "nm", 1e9),
-    ("p max", "pressure_max", "GPa", 1e-9),
-    ("on solids", "contact_load_ratio", "", 1.0),
-    ("friction", "friction_coefficient", "", 1.0),
-    ("power", "friction_power", "W", 1.0),
-    ("flash", "flash_rise", "K", 1.0),
-];
-
-fn write_report(
-    options: &Options,
-    (solution, squeeze): (&CycleSolution, Option<String>),
-    (numbers, is_line): (&Value, bool),
-    path: &Path,
-) -> Result<(), Box<dyn Error>> {
-    let mut report = Report::new(&options.scene, "cycle", Status::Converged)?;
-    report.warn(solution.warnings.iter().map(ToString::to_string).chain(squeeze));
-    if let Some(reason) = &solution.ended_early {
-        report.end_early(&reason.to_string());
-    }
-    let pressure = pressure_unit(&solution.points);
-    let columns = COLUMNS.map(|(name, key, unit, factor)| {
-        let unit = match (unit, is_line) {
-            ("N", true) => "N/m",
-            ("W", true) => "W/m",
-            ("GPa", _) => pressure.0,
-            _ => unit,
-        };
-        let factor =
-            if key.ends_with("pressure") || key == "pressure_max" { 1.0 / pressure.1 } else { factor };
-        Number { name, key, unit, factor, offset: 0.0, error: ErrorOf::None }
-    });
-    report.table(&report::rows(numbers, "points", &columns, LINES));
-    report.chart(&chart(&output::stem(&options.scene), solution, is_line))?;
-    report.write(path)
 }

@@ -8,6 +8,7 @@
 mod cycle_record;
 mod drive;
 mod end;
+mod extremes;
 mod passages;
 mod point;
 mod skipped;
@@ -27,6 +28,7 @@ use crate::units::by_size;
 
 pub use cycle_record::CycleRecord;
 pub use end::CycleEnd;
+pub use extremes::{CycleExtremes, CycleRowScene};
 pub use point::CyclePoint;
 
 /// Relative difference of the distances of both edges along x of a box that counts as symmetric.

@@ -37,7 +37,7 @@ impl fmt::Display for HistoryMeans {
             if is_absent || (self.is_dry() && begins(column.name, &OF_FILMS)) {
                 continue;
             }
-            let (unit, factor) = unit_by_size(largest, column.unit);
+            let (unit, factor) = unit_by_size(largest, self.unit(column));
             let cells = values.map(|value| value.map_or_else(String::new, |value| digits(value / factor)));
             let [first, last, mean] = cells;
             write!(f, "\n{:<28} {first:>12} {last:>12} {mean:>12}  {unit}", column.name)?;

@@ -5,6 +5,7 @@ use stribeck::sim::{Expectation, ExpectedFilm};
 use stribeck::units::by_size;
 
 use super::Expected;
+use super::cycle::Rows;
 use super::parts::Part;
 use crate::output;
 
@@ -16,22 +17,13 @@ const SPREAD: f64 = 0.2;
 const BOUNDARY: f64 = 0.8;
 
 impl Expected {
-    /// At most 28 lines, in the units of engineers.
-    pub(super) fn to_text(&self) -> String {
-        let hertz = &self.hertz;
-        let mut lines = self.film_lines();
-        lines.extend(self.oil_lines());
-        let half_width = 1e6 * hertz.half_width_x;
-        let size = if self.sim.scene().form.is_line() {
-            format!("{}, half-width {half_width:.1} um", by_size(hertz.force, "N/m"))
-        } else {
-            format!(
-                "{}, half-widths {half_width:.1} x {:.1} um",
-                by_size(hertz.force, "N"),
-                1e6 * hertz.half_width_y
-            )
+    /// At most 28 lines in the units of engineers, with `rows` of a cycle some ten more.
+    pub(super) fn to_text(&self, rows: Option<&Rows>) -> String {
+        let mut lines = match rows {
+            Some(rows) => rows.lines(),
+            None => self.contact_lines(),
         };
-        lines.push(format!("Hertz      {}, {size}", by_size(hertz.pressure, "Pa")));
+        lines.extend(self.oil_lines());
         lines.extend(self.mesh_lines());
         for (command, refusal) in [("solve", &self.refusals.solve), ("run", &self.refusals.run)] {
             lines.push(match refusal {
@@ -46,6 +38,24 @@ impl Expected {
         lines.push(format!("modelled   {}", names(true)));
         lines.push(format!("left out   {} (--json: by which keys)", names(false)));
         lines.join("\n")
+    }
+
+    /// Regime, film, load, friction and the contact of the smooth bodies.
+    pub(super) fn contact_lines(&self) -> Vec<String> {
+        let hertz = &self.hertz;
+        let mut lines = self.film_lines();
+        let half_width = 1e6 * hertz.half_width_x;
+        let size = if self.sim.scene().form.is_line() {
+            format!("{}, half-width {half_width:.1} um", by_size(hertz.force, "N/m"))
+        } else {
+            format!(
+                "{}, half-widths {half_width:.1} x {:.1} um",
+                by_size(hertz.force, "N"),
+                1e6 * hertz.half_width_y
+            )
+        };
+        lines.push(format!("Hertz      {}, {size}", by_size(hertz.pressure, "Pa")));
+        lines
     }
 
     /// Regime, film, load and friction.
@@ -142,8 +152,9 @@ impl Expected {
             self.cells(),
             1e-6 * self.memory
         )];
-        let is_strip = matches!(self.sim.scene().grid, GridSpec::Strip { .. });
-        if !self.has_estimate && !is_strip {
+        let scene = self.sim.scene();
+        let has_errors = !matches!(scene.grid, GridSpec::Strip { .. }) && scene.cycle.is_none();
+        if !self.has_estimate && has_errors {
             lines.push(
                 "           `estimate = true` in [solver] estimates its error; `accuracy = 0.01` in place of the cells picks a mesh"
                     .to_owned(),

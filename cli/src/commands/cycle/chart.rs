@@ -2,6 +2,7 @@
 
 use stribeck::sim::{CyclePoint, CycleSolution};
 
+use super::Kind;
 use crate::picture::{BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
 
 /// The unit of the pressures of a cycle and its size \[Pa\]: GPa, or MPa where all are below 0.1 GPa.
@@ -11,7 +12,7 @@ pub(super) fn pressure_unit(points: &[CyclePoint]) -> (&'static str, f64) {
 }
 
 /// Films, pressure, friction, power and flash temperature over angle or time.
-pub(super) fn chart(name: &str, solution: &CycleSolution, is_line: bool) -> Chart {
+pub(super) fn chart(name: &str, solution: &CycleSolution, kind: Kind) -> Chart {
     let points = &solution.points;
     let (unit, pascals) = pressure_unit(points);
     let has_angles = points.iter().any(|point| point.angle.is_some());
@@ -25,7 +26,7 @@ pub(super) fn chart(name: &str, solution: &CycleSolution, is_line: bool) -> Char
         panel(
             "film (nm)",
             vec![
-                line("central", BLUE, &|p| 1e9 * p.film_central),
+                line(if kind.is_rough { "mean" } else { "central" }, BLUE, &|p| 1e9 * kind.film(p)),
                 line("least", VERMILION, &|p| 1e9 * p.film_minimum),
                 line("formula", GREEN, &|p| 1e9 * p.formula_film),
             ],
@@ -39,7 +40,10 @@ pub(super) fn chart(name: &str, solution: &CycleSolution, is_line: bool) -> Char
         ),
         panel("on solids", vec![line("", BLUE, &|p| p.contact_load_ratio)]),
         panel("friction", vec![line("", BLUE, &|p| p.friction_coefficient)]),
-        panel(if is_line { "power (W/m)" } else { "power (W)" }, vec![line("", BLUE, &|p| p.friction_power)]),
+        panel(
+            if kind.is_line { "power (W/m)" } else { "power (W)" },
+            vec![line("", BLUE, &|p| p.friction_power)],
+        ),
     ];
     if points.iter().any(|point| point.flash_rise.is_some()) {
         panels.push(panel("flash (K)", vec![line("", BLUE, &|p| p.flash_rise.unwrap_or(f64::NAN))]));
