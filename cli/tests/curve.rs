@@ -195,7 +195,7 @@ fn an_interrupted_curve_keeps_its_finished_speeds() {
     let printed = table.lines().filter(|line| !line.starts_with("written")).count();
     assert_eq!(printed, rows + 1, "{table}");
     let text = std::fs::read_to_string(&csv).unwrap();
-    assert!(text.ends_with('\n') && text.lines().all(|line| line.split(',').count() == 6), "{text}");
+    assert!(text.ends_with('\n') && text.lines().all(|line| line.split(',').count() == 7), "{text}");
     assert_pictures(folder.path(), "rough_curve", &["friction"]);
 }
 

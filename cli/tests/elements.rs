@@ -194,7 +194,7 @@ fn bearings_have_pictures_and_a_report() {
     common::assert_pictures(
         folder.path(),
         "journal_profile",
-        &["pressure (MPa)", "film fraction", "x along the motion (mm)"],
+        &["pressure (MPa)", "film (um)", "film fraction", "angle from the load, along the rotation (deg)"],
     );
     let json = json_of(&solved);
     close(&json["hole_flow"], json["side_flow"].as_f64().unwrap(), 1e-5);

@@ -79,7 +79,7 @@ impl Expected {
                 map.regime, map.viscosity_parameter, map.elasticity_parameter, moes.m, moes.l
             ),
             format!(
-                "film       {} in the middle by formula, smooth and flooded{supplied}{lambda}",
+                "film       {} in the middle by the formula of Moes for all regimes, smooth and flooded{supplied}{lambda}",
                 by_size(film.central, "m")
             ),
             format!("load       {}", load_words(film)),

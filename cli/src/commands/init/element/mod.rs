@@ -84,6 +84,7 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
                 "--speed",
                 "--slide-roll-ratio",
                 "--roughness",
+                "--length",
                 "--finish",
                 OIL,
                 if rough { "--cells" } else { "" },
