@@ -150,6 +150,7 @@ fn explain_prints_the_words_of_the_book() {
     common::assert_refused(&["explain", "lubricant.graed"], &["graed", "lubricant.grade"]);
     let all = explained(&[]);
     assert!(all.contains("[form] kind, radius") && all.contains("[given_film] kind"), "{all}");
+    assert!(explained(&["film.lambda"]).contains("docs/output.md"));
     assert!(explained(&["materials"]).contains("[materials.ball], [materials.disc] hardness"));
 }
 

@@ -248,6 +248,10 @@ fn history_of_a_cycle_prints_and_writes_a_line_per_solved_cycle() {
     }
     let table = fs::read_to_string(folder.path().join("rig_cycles.csv")).unwrap();
     assert!(table.starts_with("cycles,film_minimum_m") && table.lines().count() == 3, "{table}");
+    let header = table.lines().next().unwrap();
+    assert!(header.contains("wear_ball_volume_m3_per_m,wear_disc_volume_m3_per_m"), "{header}");
+    let contacts = fs::read_to_string(folder.path().join("rig_cycle.csv")).unwrap();
+    assert!(contacts.contains("load_N_per_m") && contacts.contains("friction_power_W_per_m"), "{contacts}");
     let printed = stribeck(&["cycle", text(&path), "--force", "--out", text(folder.path())]);
     let printed = String::from_utf8(printed.stdout).unwrap();
     assert!(printed.contains("ball, mm3/m") && printed.contains("2.00000e2"), "{printed}");

@@ -40,6 +40,7 @@ fn rigs_are_solved_without_a_further_word() {
     let (balls, four) = solved(&["--rig", "four-ball"]);
     close(&four["hertz"]["force"], 60.012, 1e-4);
     assert!(balls.contains("ball_speed = 0.460") && balls.contains("ASTM D4172"), "{balls}");
+    assert!(balls.contains("bulk_temperature = \"75 degC\""), "{balls}");
 }
 
 #[test]
@@ -69,6 +70,12 @@ fn bearings_have_their_inner_geometry_and_source() {
         &["7208", "deep-groove", "its bore of 40 mm: 6008, 6208, 6308, NU208"],
     );
     assert_refused(&["init", "--bearing", "NU2210", text(&path)], &["its bore of 50 mm", "NU210"]);
+    for option in [["--stroke", "1 mm"], ["--finish", "ground"]] {
+        assert_refused(
+            &[&["init", "--bearing", "6205"], option.as_slice(), &[text(&path)]].concat(),
+            &[option[0], "no effect", "--bearing"],
+        );
+    }
     assert!(!path.exists());
 }
 
@@ -187,7 +194,7 @@ fn bearings_have_pictures_and_a_report() {
     common::assert_pictures(
         folder.path(),
         "journal_profile",
-        &["pressure (MPa)", "film fraction", "x along the motion (mm)"],
+        &["pressure (MPa)", "film (um)", "film fraction", "angle from the load, along the rotation (deg)"],
     );
     let json = json_of(&solved);
     close(&json["hole_flow"], json["side_flow"].as_f64().unwrap(), 1e-5);

@@ -96,7 +96,7 @@ impl JournalBearing<'_> {
             || remedy.to_owned(),
             |feeds| {
                 format!(
-                    "{feeds} from the load drain the loaded half of the film: put feeds opposite the load (180 deg), or take a smaller load"
+                    "the loaded half of the film is drained by {feeds} from the load: put feeds opposite the load (180 deg), or take a smaller load"
                 )
             },
         );

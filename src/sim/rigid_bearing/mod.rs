@@ -134,9 +134,9 @@ impl RigidBearing {
             }
             Some(balance) => heat::solve(self, balance, &interrupted)?,
         };
-        let has_data_sheet = self.lubricant.oil.is_some();
         if solution.film.report.status == Status::Converged {
-            let warnings = bearing_warnings(&solution.numbers, has_data_sheet, self.relief.as_ref());
+            let warnings =
+                bearing_warnings(&solution.numbers, self.lubricant.oil.as_ref(), self.relief.as_ref());
             solution.warnings.extend(warnings);
         } else {
             solution.warnings.push(unsolved_bearing(&solution.numbers, self.bore.is_none()));

@@ -1,5 +1,6 @@
 //! Explanations of keys and warnings from the pages of the book.
 
+use super::explain_output::output;
 use crate::error::{InputError, escape};
 use crate::nearest::nearest;
 
@@ -35,7 +36,7 @@ struct Row {
     cells: Vec<(String, String)>,
 }
 
-/// Explains a key of scene files (`lubricant.alpha`, `alpha`), a table or a warning by its text, in the words of the book. An empty text
+/// Explains a key of scene files (`lubricant.alpha`, `alpha`), a table, a result (`film.lambda`) or a warning by its text, in the words of the book. An empty text
 /// lists all tables with their keys.
 ///
 /// ```
@@ -60,6 +61,9 @@ pub fn explain(text: &str) -> Result<String, InputError> {
     if !found.is_empty() {
         return Ok(found.join("\n\n"));
     }
+    if let Some(result) = output(asked) {
+        return Ok(result);
+    }
     if let Some(warning) = warning(text) {
         return Ok(warning);
     }
@@ -67,7 +71,10 @@ pub fn explain(text: &str) -> Result<String, InputError> {
     let near = nearest(asked, paths.iter().map(String::as_str));
     Err(InputError::Conflict {
         field: format!("\"{}\"", escape(text)),
-        reason: format!("is neither a key of a scene nor a warning; the nearest keys: {}", near.join(", ")),
+        reason: format!(
+            "is neither a key of a scene nor a result nor a warning; the nearest keys: {}",
+            near.join(", ")
+        ),
     })
 }
 
@@ -194,7 +201,7 @@ fn warning(text: &str) -> Option<String> {
 }
 
 /// Cells of a row of a Markdown table; `None` for another line.
-fn cells(line: &str) -> Option<Vec<String>> {
+pub(super) fn cells(line: &str) -> Option<Vec<String>> {
     let inner = line.trim().strip_prefix('|')?.strip_suffix('|')?;
     Some(inner.split('|').map(|cell| cell.trim().to_owned()).collect())
 }
@@ -206,12 +213,12 @@ fn bracketed(line: &str) -> Vec<String> {
 }
 
 /// The words in backquotes.
-fn quoted(text: &str) -> Vec<String> {
+pub(super) fn quoted(text: &str) -> Vec<String> {
     text.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
 /// Markdown without backquotes and targets of links.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some((before, after)) = rest.split_once("](") {

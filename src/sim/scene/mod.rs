@@ -17,6 +17,8 @@ mod elastic;
 #[cfg(feature = "serde")]
 mod explain;
 #[cfg(feature = "serde")]
+mod explain_output;
+#[cfg(feature = "serde")]
 mod files;
 #[cfg(feature = "serde")]
 mod given_film;

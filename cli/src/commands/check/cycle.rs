@@ -1,6 +1,7 @@
 //! The rows of a cycle with the thinnest and the thickest film by formula.
 
 use std::error::Error;
+use std::path::Path;
 
 use serde_json::{Value, json};
 use stribeck::sim::scene::Scene;
@@ -17,11 +18,11 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Those of `scene`; `None` without a cycle or a lubricant.
-    pub(super) fn of(scene: &Scene) -> Result<Option<Self>, Box<dyn Error>> {
+    /// Those of `scene` in `file`; `None` without a cycle or a lubricant.
+    pub(super) fn of(scene: &Scene, file: &Path) -> Result<Option<Self>, Box<dyn Error>> {
         let Some(extremes) = scene.cycle_extremes()? else { return Ok(None) };
-        let thinnest = Expected::of(&extremes.thinnest.scene)?;
-        let thickest = Expected::of(&extremes.thickest.scene)?;
+        let thinnest = Expected::of(&extremes.thinnest.scene, file)?;
+        let thickest = Expected::of(&extremes.thickest.scene, file)?;
         Ok(Some(Self { extremes, thinnest, thickest }))
     }
 

@@ -4,9 +4,9 @@ use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{Expectation, ExpectedFilm};
 use stribeck::units::by_size;
 
-use super::Expected;
 use super::cycle::Rows;
 use super::parts::Part;
+use super::{Expected, OilTemperature};
 use crate::output;
 
 /// Largest share of the load on solids in a full film.
@@ -89,7 +89,7 @@ impl Expected {
                 map.regime, map.viscosity_parameter, map.elasticity_parameter, moes.m, moes.l
             ),
             format!(
-                "film       {} in the middle by formula, smooth and flooded{supplied}{lambda}",
+                "film       {} in the middle by the formula of Moes for all regimes, smooth and flooded{supplied}{lambda}",
                 by_size(film.central, "m")
             ),
             format!("load       {}", load_words(film)),
@@ -127,13 +127,16 @@ impl Expected {
         } else {
             String::new()
         };
+        let celsius = oil.temperature - 273.15;
+        let at = match self.temperature {
+            OilTemperature::Without => ", at any temperature".to_owned(),
+            OilTemperature::Stated => format!(" at {celsius:.2} degC"),
+            OilTemperature::Default => {
+                format!(" at {celsius:.2} degC, the default without thermal.bulk_temperature")
+            }
+        };
         let mut lines = vec![
-            format!(
-                "oil        {:.4} mPa s at {:.2} degC: {}",
-                1e3 * oil.eta0,
-                oil.temperature - 273.15,
-                oil.eta0_source
-            ),
+            format!("oil        {:.4} mPa s{at}: {}", 1e3 * oil.eta0, oil.eta0_source),
             format!("           alpha {:.2} 1/GPa: {}{scatter}", 1e9 * oil.alpha, oil.alpha_source),
         ];
         lines.extend(output::kappa(oil));

@@ -96,7 +96,11 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
         format!("; {} without the least pressure of the edges", force(above))
     });
     lines.extend([
-        format!("load       {}{above}", force(numbers.load)),
+        if numbers.load >= 0.0 && numbers.friction_coefficient.is_nan() {
+            "load       none".to_owned()
+        } else {
+            format!("load       {}{above}", force(numbers.load))
+        },
         format!("film       least {}{widening}", by_size(numbers.least_film, "m")),
         format!("pressure   at most {}", by_size(numbers.pressure_max, "Pa")),
         format!(

@@ -31,7 +31,7 @@ pub(super) const ISOVISCOUS: &str = "an isoviscous film: lubricant.alpha = 0 bes
 /// let oil = Lubricant::new(Barus::new(0.01, 0.0)?, Incompressible);
 /// let problem = GivenFilm::new(&film, &oil, [1.0, 0.0]);
 /// let warnings = given_film_warnings(&problem, &problem.solve()?);
-/// assert!(warnings[0].to_string().starts_with("film = 1.025: "));
+/// assert!(warnings[0].to_string().starts_with("film = 1025.0 mm: "));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn given_film_warnings(problem: &GivenFilm<'_>, solution: &GivenFilmSolution) -> Vec<Warning> {
@@ -49,10 +49,10 @@ pub(in crate::sim) fn film_warnings(
     let thickest = nodes.iter().copied().fold(0.0, f64::max);
     let film = [thinnest, thickest].into_iter().find_map(|film| GIVEN_FILM.check("film", film));
     let oil = problem.lubricant;
-    let largest = solution.pressure.iter().copied().fold(0.0, f64::max);
-    let piezoviscous = (is_rigid && solution.report.status == Status::Converged)
-        .then(|| piezoviscous(oil, largest))
-        .flatten();
+    // Pressures of an unsolved film are no result.
+    let known = if solution.report.status == Status::Converged { &solution.pressure[..] } else { &[] };
+    let largest = known.iter().copied().fold(0.0, f64::max);
+    let piezoviscous = if is_rigid { piezoviscous(oil, largest) } else { None };
     let checks = [
         piezoviscous,
         GAS_VISCOSITY.check("eta0", oil.viscosity().viscosity(0.0)),

@@ -205,6 +205,8 @@ fn journal(options: &Init) -> Result<String, Box<dyn Error>> {
     let (load, _) = quantity(Dimension::Force, "--load", options.load.as_ref(), "2 kN")?;
     let rotation = rotation(options, 3000.0)?;
     let oil = oil_tables(options, "ISO VG 32", 50.0)?;
+    let isoviscous = "\nalpha = 0 # isoviscous: rigid surfaces with a piezoviscous oil overestimate pressure and film\n\n[thermal]";
+    let oil = if oil.contains("grade") { oil.replacen("\n\n[thermal]", isoviscous, 1) } else { oil };
     let heat = if oil.contains("[thermal]") {
         "supply_temperature = \"40 degC\" # heat balance: the oil has the mean of supply and outlet, in place of thermal.bulk_temperature\n"
     } else {
