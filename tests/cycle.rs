@@ -304,7 +304,7 @@ fn cycle_tables_are_read_with_units() {
             ["line 6, time (ms) = 0.5: ", "above the row before"],
         ),
         ("time, load (kN/m)\n0, 100\n1, -120\n", ["line 3, load (kN/m) = -120: ", "> 0"]),
-        ("time, load (kN/m)\n0, 100\n1, 1e5\n", ["flank.csv, line 3: load = 100", "MN/m"]),
+        ("time (ms), load (kN/m)\n0, 100\n1, 1e5\n", ["flank.csv, line 3: load = 100", "MN/m"]),
     ] {
         let error = solved(text).unwrap_err().to_string();
         assert!(words.iter().all(|word| error.contains(word)), "{words:?}: {error}");

@@ -51,3 +51,26 @@ impl fmt::Display for HistoryMeans {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sim::history::columns::COLUMNS;
+
+    #[test]
+    fn units_of_lines_are_per_metre() {
+        let unit = |name: &str, means: &HistoryMeans| {
+            let column = COLUMNS.iter().find(|column| column.name == name);
+            column.map_or("", |column| means.unit(column))
+        };
+        let (point, line) = (HistoryMeans::new(1), HistoryMeans::new(1).of_line());
+        for (name, units) in [
+            ("flow.outflow", ["m^3/s", "m^2/s"]),
+            ("wear.ball_volume", ["m^3", "m^3/m"]),
+            ("friction.power_loss", ["W", "W/m"]),
+            ("film.central", ["m", "m"]),
+        ] {
+            assert_eq!([unit(name, &point), unit(name, &line)], units, "{name}");
+        }
+    }
+}
