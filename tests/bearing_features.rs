@@ -263,3 +263,29 @@ fn features_out_of_range_are_refused_with_a_remedy() {
         assert!(parts.iter().all(|part| error.contains(part)), "{parts:?}: {error}");
     }
 }
+
+/// With the viscosity of a data sheet rigid surfaces under 22 MPa have no solution; isoviscous they have that of constant viscosity.
+#[test]
+fn unsolved_bearings_have_no_results_and_piezoviscous_oils_warn() {
+    let journal = |load: &str, oil: &str| {
+        let text = format!(
+            "[given_film]\nkind = \"journal\"\ndiameter = \"60 mm\"\nwidth = \"30 mm\"\nclearance = \"60 um\"\nspeed = \"3000 rpm on 60 mm\"\n\
+             load = \"{load}\"\nnx = 90\nny = 16\n[lubricant]\n{oil}[thermal]\nbulk_temperature = \"50 degC\"\n"
+        );
+        RigidBearing::from_toml(&text).unwrap().solve(|| false).unwrap()
+    };
+    let sheet = "grade = \"ISO VG 32\"\nviscosity_index = 95\n";
+    let unsolved = journal("40 kN", sheet);
+    assert!(unsolved.film.report.require_converged().is_err());
+    let numbers = unsolved.numbers;
+    assert!(numbers.load.is_nan() && numbers.friction_moving.is_nan() && numbers.power_loss.is_nan());
+    let warnings: Vec<String> = unsolved.warnings.iter().map(ToString::to_string).collect();
+    assert!(warnings.len() == 1 && warnings[0].contains("lubricant.alpha = 0"), "{warnings:?}");
+    let isoviscous = journal("40 kN", &format!("{sheet}alpha = 0\n"));
+    assert!(isoviscous.warnings.is_empty() && isoviscous.numbers.alpha == 0.0);
+    let constant = journal("40 kN", &format!("eta0 = {}\n", isoviscous.numbers.eta0)).numbers;
+    assert!((constant.least_film / isoviscous.numbers.least_film - 1.0).abs() < 1e-6, "{constant:?}");
+    let moderate = journal("5 kN", sheet);
+    let ratio = moderate.numbers.viscosity_ratio;
+    assert!(ratio > 1.1 && moderate.warnings[0].message.contains(&format!("{ratio:.3} times")));
+}

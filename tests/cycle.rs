@@ -218,7 +218,7 @@ fn tables_are_refused_by_row_field_and_value() {
                 c.quasi_static = true;
                 (c.disc_speed[40], c.disc_speed[41]) = (0.0, 0.0);
             },
-            &["cycle.ball_speed[40] + cycle.disc_speed[40] = 0", "no film"],
+            &["row 41 of [cycle]: cycle.ball_speed + cycle.disc_speed = 0", "no film"],
         ),
     ];
     for (change, words) in cases {
@@ -242,7 +242,7 @@ fn scenes_without_a_cycle_are_refused_by_reason() {
                 s.motion.roughness = RoughnessState::Moving;
                 s.cycle.as_mut().unwrap().quasi_static = true;
             },
-            "0.5 (cycle.ball_speed[30] + cycle.disc_speed[30])",
+            "row 31 of [cycle]: 0.5 (cycle.ball_speed + cycle.disc_speed)",
         ),
         (
             |s| {
@@ -251,7 +251,7 @@ fn scenes_without_a_cycle_are_refused_by_reason() {
             },
             "leave cycle.repeat out",
         ),
-        (|s| s.cycle.as_mut().unwrap().load = vec![1e8; 121], "row 0 with load = 100000000.0"),
+        (|s| s.cycle.as_mut().unwrap().load = vec![1e8; 121], "row 1 of [cycle]: load = 100"),
     ];
     for (change, word) in cases {
         let error = refused(change);
@@ -296,6 +296,15 @@ fn cycle_tables_are_read_with_units() {
         ("time, load\n0, heavy\n", ["line 2", "`heavy`"]),
         ("time, weight\n0, 1\n", ["weight", "bulk_temperature"]),
         ("", ["flank.csv", "is empty"]),
+        ("time;load (kN/m)\n0;100,5\n", ["line 1", "separated by commas"]),
+        ("time;load\n0;1e5\n", ["line 1", "separated by commas, not by `;`"]),
+        ("time, load, load\n0, 1, 1\n", ["line 1", "load is there twice"]),
+        (
+            "# rig\n\ntime (ms), load\n0, 1e5\n1, 1e5\n0.5, 1e5\n",
+            ["line 6, time (ms) = 0.5: ", "above the row before"],
+        ),
+        ("time, load (kN/m)\n0, 100\n1, -120\n", ["line 3, load (kN/m) = -120: ", "> 0"]),
+        ("time (ms), load (kN/m)\n0, 100\n1, 1e5\n", ["flank.csv, line 3: load = 100", "MN/m"]),
     ] {
         let error = solved(text).unwrap_err().to_string();
         assert!(words.iter().all(|word| error.contains(word)), "{words:?}: {error}");

@@ -200,7 +200,23 @@ fn scenes_have_holes_and_elastic_bores() {
     assert!(soft.bore_widening.unwrap() > 0.0 && soft.load < solved(JOURNAL, OIL).unwrap().numbers.load);
     for (table, parts) in [
         (format!("{JOURNAL}hole_angles = [1.0]\nsupply_pressure = 1e5\n"), ["hole_diameter", "missing"]),
-        (format!("{JOURNAL}hole_angles = [1.0]\nhole_diameter = 1e-2\n"), ["supply_pressure", "missing"]),
+        (
+            format!("{JOURNAL}hole_angles = [1.0]\nhole_diameter = 1e-2\n"),
+            ["supply_pressure = \"1 bar\"", "missing"],
+        ),
+        (
+            format!("{JOURNAL}hole_angles = [1.0]\nhole_diameter = 1e-4\nsupply_pressure = 1e5\n"),
+            ["hole_diameter", "nx = "],
+        ),
+        (
+            format!("{PAD}{}", pad_hole.replace("10 mm", "0.1 mm")),
+            ["given_film.hole_diameter = 1e-4 m", "ny = "],
+        ),
+        (
+            JOURNAL.replace("eccentricity = 0.5", "load = 1e6")
+                + "groove_angles = [\"10 deg\"]\ngroove_width = \"5 mm\"\n",
+            ["groove at 10 deg", "opposite the load"],
+        ),
         (format!("{JOURNAL}hole_diameter = 1e-2\nsupply_pressure = 1e5\n"), ["hole_angles", "missing"]),
         (format!("{JOURNAL}hole_positions = [0.1]\n"), ["hole_positions", "journal"]),
         (format!("{JOURNAL}{liner}bore_modulus = \"200 GPa\"\n"), ["bore_modulus", "leave out"]),
@@ -228,6 +244,12 @@ fn bearings_without_load_steep_dimples_and_hot_oils_warn() {
     };
     assert!(pad(1e-5, "", OIL).is_empty());
     assert_eq!(pad(4e-6, "", OIL), ["load"]);
+    // A parallel pad with dimples carries nothing without cavitation below ambient.
+    let shallow = "dimple_diameter = \"2 mm\"\ndimple_depth = \"5 um\"\ndimple_density = 0.3\n";
+    assert_eq!(pad(5e-6, shallow, OIL), ["load"]);
+    assert!(pad(5e-6, &format!("{shallow}cavitation_pressure = \"-1 kbar\"\n"), OIL).len() < 2);
+    let naphthenic = "[lubricant]\ngrade = \"ISO VG 32\"\nviscosity_index = -10\nalpha = 0\n";
+    assert_eq!(pad(1e-5, "", naphthenic), ["lubricant.viscosity_index"]);
     let dimples = "dimple_diameter = \"1 mm\"\ndimple_depth = \"0.2 mm\"\ndimple_density = 0.2\n";
     assert_eq!(pad(1e-5, dimples, OIL), ["given_film.dimple_depth"]);
     let hot = "[lubricant]\ngrade = \"ISO VG 460\"\nviscosity_index = 95\n[thermal]\nbulk_temperature = \"300 degC\"\n";

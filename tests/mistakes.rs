@@ -519,7 +519,7 @@ fn numbers_of_solutions_that_mislead_are_named() {
         assert_eq!(fields(sim.warnings()), fields(&solution.warnings));
         fields(&solution.warnings)
     };
-    assert_eq!(named(&smooth), ["film.central"]);
+    assert_eq!(named(&smooth), ["film.minimum"]);
     let mut fine = smooth.clone();
     fine.grid = GridSpec::Cells { nx: 96, ny: 96, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] };
     assert!(named(&fine).is_empty());

@@ -53,6 +53,12 @@ fn named_materials_give_the_modulus_of_the_pair() {
         ("PTFE", 0.5e9, 0.46),
         ("glass", 70e9, 0.22),
         ("tin-bronze", 113e9, 0.3),
+        ("Si3N4", 310e9, 0.27),
+        ("Al2O3", 416e9, 0.231),
+        ("NBR", 5.5e6, 0.499),
+        ("Viton", 7.1e6, 0.499),
+        ("CoCr", 210e9, 0.3),
+        ("DLC", 259e9, 0.17),
     ] {
         let material: NamedMaterial = name.parse().unwrap();
         assert_eq!((material.modulus(), material.poisson()), (modulus, poisson), "{name}");
@@ -115,6 +121,7 @@ fn wrong_bodies_are_refused_with_a_remedy() {
         (sphere, "[materials.disc]\nmaterial = \"stell\"\n", ["materials.disc.material", "steel"]),
         (sphere, "[materials.disc]\nmaterial = 3\n", ["materials.disc.material", "text"]),
         ("kind = \"sphere\"\n", STEEL, ["radius", "missing"]),
+        ("kind = \"sphere\"\nradius = \"-10 mm\"\n", STEEL, ["form.radius = -0.01", "`radii`"]),
     ] {
         let error = Scene::from_toml(&scene(form, more)).unwrap_err().to_string();
         assert!(parts.iter().all(|part| error.contains(part)), "{parts:?}: {error}");

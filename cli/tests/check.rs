@@ -103,6 +103,33 @@ fn completion_scripts_list_the_subcommands() {
 }
 
 /// A key has its row of the book, a warning its row of the table of warnings; all others the nearest keys.
+/// Paths of all keys of `table`.
+fn paths(table: &toml::Table, start: &str, found: &mut Vec<String>) {
+    for (key, value) in table {
+        match value {
+            toml::Value::Table(inner) => paths(inner, &format!("{start}{key}."), found),
+            _ => found.push(format!("{start}{key}")),
+        }
+    }
+}
+
+#[test]
+fn explain_has_all_keys_of_the_examples() {
+    let mut keys = Vec::new();
+    for file in std::fs::read_dir(repository("examples/scenes")).unwrap() {
+        let text = std::fs::read_to_string(file.unwrap().path()).unwrap_or_default();
+        paths(&text.parse().unwrap_or_default(), "", &mut keys);
+    }
+    keys.retain(|key| !key.starts_with("schedule."));
+    keys.sort();
+    keys.dedup();
+    assert!(keys.contains(&"roughness.disc.kind".to_owned()) && keys.len() > 50, "{keys:?}");
+    for key in keys {
+        let output = stribeck(&["explain", &key]);
+        assert!(output.status.success(), "{key}: {}", error_of(&output));
+    }
+}
+
 #[test]
 fn explain_prints_the_words_of_the_book() {
     let explained = |words: &[&str]| {
@@ -123,6 +150,7 @@ fn explain_prints_the_words_of_the_book() {
     common::assert_refused(&["explain", "lubricant.graed"], &["graed", "lubricant.grade"]);
     let all = explained(&[]);
     assert!(all.contains("[form] kind, radius") && all.contains("[given_film] kind"), "{all}");
+    assert!(explained(&["film.lambda"]).contains("docs/output.md"));
     assert!(explained(&["materials"]).contains("[materials.ball], [materials.disc] hardness"));
 }
 

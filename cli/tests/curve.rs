@@ -97,7 +97,7 @@ fn a_curve_over_seeds_has_mean_and_standard_deviation() {
     close("friction_coefficient_sd", sd);
     assert_eq!((&row["surfaces"], row.get("friction_coefficient_error")), (&3.0.into(), None));
     let table = std::fs::read_to_string(folder.path().join("curve/rough_curve.csv")).unwrap();
-    assert!(table.lines().next().unwrap().ends_with(",film_lambda_sd,surfaces,model"), "{table}");
+    assert!(table.lines().next().unwrap().ends_with(",film_lambda_sd,surfaces,warnings,model"), "{table}");
     assert_pictures(&folder.path().join("curve"), "rough_curve", &["friction", "film / Rq"]);
 }
 
@@ -195,7 +195,7 @@ fn an_interrupted_curve_keeps_its_finished_speeds() {
     let printed = table.lines().filter(|line| !line.starts_with("written")).count();
     assert_eq!(printed, rows + 1, "{table}");
     let text = std::fs::read_to_string(&csv).unwrap();
-    assert!(text.ends_with('\n') && text.lines().all(|line| line.split(',').count() == 6), "{text}");
+    assert!(text.ends_with('\n') && text.lines().all(|line| line.split(',').count() == 7), "{text}");
     assert_pictures(folder.path(), "rough_curve", &["friction"]);
 }
 

@@ -170,7 +170,7 @@ fn machines_that_cannot_run_are_refused_by_value() {
     assert_refused(&with(&FZG, "94.1", "-1"), &["--torque", "-1"]);
     assert_refused(&with(&cam, "26 mm", "18 mm"), &["--base-circle", "degrees", "radius of curvature"]);
     assert_refused(&with(&cam, "0.12", "3"), &["--preload", "leaves the cam"]);
-    assert_refused(&["init", text(&path), "--module", "2 mm"], &["--module", "--gear"]);
+    assert_refused(&["init", text(&path), "--module", "2 mm"], &["--module", "no effect"]);
     fs::write(&lift, "angle, lift\n0, 0\n90, high\n").unwrap();
     assert_refused(&with(&cam, "", ""), &["line 3"]);
     assert!(!path.exists());
@@ -248,9 +248,103 @@ fn history_of_a_cycle_prints_and_writes_a_line_per_solved_cycle() {
     }
     let table = fs::read_to_string(folder.path().join("rig_cycles.csv")).unwrap();
     assert!(table.starts_with("cycles,film_minimum_m") && table.lines().count() == 3, "{table}");
+    let header = table.lines().next().unwrap();
+    assert!(header.contains("wear_ball_volume_m3_per_m,wear_disc_volume_m3_per_m"), "{header}");
+    let contacts = fs::read_to_string(folder.path().join("rig_cycle.csv")).unwrap();
+    assert!(contacts.contains("load_N_per_m") && contacts.contains("friction_power_W_per_m"), "{contacts}");
     let printed = stribeck(&["cycle", text(&path), "--force", "--out", text(folder.path())]);
     let printed = String::from_utf8(printed.stdout).unwrap();
     assert!(printed.contains("ball, mm3/m") && printed.contains("2.00000e2"), "{printed}");
+}
+
+/// Steps longer than the passage of a half-width, and steady contacts at rest.
+#[test]
+fn cycles_that_skip_motion_or_squeeze_warn() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("stop.toml");
+    let scene = "form = { kind = \"cylinder\", radius = 10e-3 }\nelastic.equivalent_modulus = 230e9\nload.force = 1e5\n\
+                 motion = { entrainment_speed = 1.0, slide_roll_ratio = 0.2 }\n\
+                 lubricant = { eta0 = 0.02, alpha = 15e-9, roelands_z = 0.6 }\ngrid = { nx = 64, x = [-0.4e-3, 0.4e-3] }\n\
+                 [cycle]\nball_speed = [1.0, 0.0, 1.0]\ndisc_speed = [1.0, 0.0, 1.0]\n";
+    let warning_of = |more: &str| {
+        fs::write(&path, format!("{scene}{more}")).unwrap();
+        let output = stribeck(&["cycle", text(&path), "--force", "--out", text(folder.path())]);
+        assert!(output.status.success(), "{}", error_of(&output));
+        error_of(&output)
+    };
+    // Half-width sqrt(8 F R/(pi E')) = 105 um: 1 m/s over 5 ms/16 is 2.97 half-widths.
+    let skipped = warning_of("time = [0.0, 2.5e-3, 5e-3]\nsteps = 16\n");
+    assert!(skipped.contains("cycle.steps = 16: 2.97") && skipped.contains("at least 48 steps"), "{skipped}");
+    let enough = warning_of("time = [0.0, 2.5e-3, 5e-3]\nsteps = 48\n");
+    assert!(!enough.contains("cycle.steps"), "{enough}");
+    let rest = warning_of("time = [0.0, 2.5e-3, 5e-3]\nquasi_static = true\n");
+    assert!(rest.contains("without bound at 2.5000e-3 s"), "{rest}");
+}
+
+/// Films by formula rise with the speed; rows at rest have none.
+#[test]
+fn check_of_a_cycle_has_the_rows_of_the_extreme_films() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = init(folder.path(), &FZG);
+    let told = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
+    assert!(
+        told.starts_with("cycle      61 rows, 401 contacts in time\nthinnest film by formula: row "),
+        "{told}"
+    );
+    let json = json_of(&stribeck(&["check", text(&path), "--json"]));
+    let film = |row: &str| number(&json["cycle"][row]["film"], "formula_central");
+    assert!(film("thinnest") < film("thickest"), "{json}");
+    let rig = ["--reciprocating", "--stroke", "2 mm", "--frequency", "20", "--force"];
+    let path = init(folder.path(), &rig);
+    let told = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
+    assert!(told.contains("121 rows, 400 contacts in time; 2 rows at rest"), "{told}");
+}
+
+/// The roughness of the options is that of the scene; options without effect are refused by name.
+#[test]
+fn machines_take_roughness_and_refuse_options_without_effect() {
+    let folder = tempfile::tempdir().unwrap();
+    let lift = lift(folder.path(), 73);
+    let mut cam = cam(&lift);
+    cam.retain(|option| !["--cells", "96"].contains(option));
+    let rig = ["--reciprocating", "--stroke", "2 mm", "--frequency", "20", "--force"];
+    for (machine, is_line) in [(&FZG[..], true), (&cam, true), (&rig, false)] {
+        let options = [machine, &["--roughness", "300 nm", "--length", "40 um"]].concat();
+        let scene = fs::read_to_string(init(folder.path(), &options)).unwrap();
+        assert!(scene.contains("rq = \"300 nm\"") && scene.contains("length_x = \"40 um\""), "{scene}");
+        assert_eq!(scene.contains("across = \"periodic\""), is_line);
+    }
+    let ground = [&FZG[..], &["--finish", "ground"]].concat();
+    assert!(
+        fs::read_to_string(init(folder.path(), &ground)).unwrap().contains("typical of a ground surface")
+    );
+    let path = folder.path().join("other.toml");
+    for (machine, option, value) in [
+        (&FZG[..], "--speed", "1 m/s"),
+        (&FZG[..], "--slide-roll-ratio", "0.1"),
+        (&FZG[..], "--load", "1 kN"),
+        (&FZG[..], "--radius", "10 mm"),
+        (&FZG[..], "--stroke", "1 mm"),
+        (&cam, "--torque", "90"),
+        (&rig, "--load-sharing", "half"),
+        (&rig, "--speed", "1 m/s"),
+        (&["--roller"], "--module", "2 mm"),
+        (&["--load", "20 N"], "--module", "2 mm"),
+    ] {
+        let arguments = [&["init", text(&path)], machine, &[option, value]].concat();
+        assert_refused(&arguments, &[option, "no effect"]);
+    }
+    let teeth = |shift: [&str; 2]| {
+        let mut options = vec!["init", text(&path)];
+        options.extend(FZG.iter().map(|option| match *option {
+            "16" => "17",
+            "0.1817" => shift[0],
+            "0.1715" => shift[1],
+            option => option,
+        }));
+        options.into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_refused(&teeth(["0", "0"]), &["--teeth 17 24", "--shift must be at least 0.0057"]);
 }
 
 #[test]

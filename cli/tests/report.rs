@@ -32,8 +32,9 @@ fn reported(folder: &Path, arguments: &[&str], scene: &Path, expected: &[&str]) 
     for cell in &cells {
         let key = cell.attribute("data-key").unwrap();
         let factor: f64 = cell.attribute("data-factor").unwrap().parse().unwrap();
+        let offset: f64 = cell.attribute("data-offset").map_or(0.0, |offset| offset.parse().unwrap());
         let (shown, exact): (f64, f64) =
-            (cell.text().unwrap().parse().unwrap(), factor * number_at(&json, key));
+            (cell.text().unwrap().parse().unwrap(), factor * number_at(&json, key) + offset);
         assert!((shown - exact).abs() <= 6e-4 * exact.abs(), "{key}: {shown} for {exact}");
     }
     for key in expected {

@@ -21,9 +21,9 @@ __all__ = ["GivenFilm", "RigidBearing", "given_film", "rigid_bearing"]
 
 
 class RigidBearing(Numbers):
-    """A journal bearing or a pad of a scene file. ``load`` [N], ``least_film`` [m], ``pressure_max`` [Pa], ``friction_moving`` and
+    """A journal bearing or a pad of a scene file. ``load`` [N], with edge pressures above ambient ``load_above_edges`` [N], ``least_film`` [m], ``pressure_max`` [Pa], ``friction_moving`` and
     ``friction_resting`` [N], ``friction_coefficient``, ``cavitated_shear`` [N], ``side_flow`` and ``edge_flows`` [m^3/s], ``power_loss`` [W], ``eta0`` [Pa s],
-    ``temperature`` [K], with a heat balance ``supply_temperature``, ``outlet_temperature`` [K] and ``carried_heat`` [W], with grooves ``groove_flow``, with holes ``hole_flow`` [m^3/s],
+    ``alpha`` [1/Pa], ``viscosity_ratio``, ``temperature`` [K], with a heat balance ``supply_temperature``, ``outlet_temperature`` [K] and ``carried_heat`` [W], with grooves ``groove_flow``, with holes ``hole_flow`` [m^3/s],
     with an elastic bore ``bore_widening`` [m],
     with roughness ``contact_share``, ``contact_area`` [m^2], ``contact_friction`` [N] and ``film_over_rq``,
     ``status``; of a journal ``eccentricity``, ``attitude`` [rad], ``sommerfeld`` and ``force`` [N], towards the widest gap and across."""
@@ -31,6 +31,7 @@ class RigidBearing(Numbers):
     __slots__ = ()
 
     load: float
+    load_above_edges: float | None
     force: list[float] | None
     attitude: float | None
     eccentricity: float | None
@@ -52,6 +53,8 @@ class RigidBearing(Numbers):
     bore_widening: float | None
     power_loss: float
     eta0: float
+    alpha: float
+    viscosity_ratio: float
     temperature: float
     supply_temperature: float | None
     outlet_temperature: float | None

@@ -70,6 +70,16 @@ impl Roelands {
         Ok(Self { eta0, exponent: alpha * p0 / z, z, p0 })
     }
 
+    /// The viscosity `eta0` \[Pa s\] at all pressures.
+    ///
+    /// # Errors
+    /// `eta0` or `p0` not finite and positive.
+    pub(super) fn isoviscous(eta0: f64, p0: f64) -> Result<Self, InputError> {
+        InputError::require_positive("lubricant.eta0", eta0)?;
+        InputError::require_positive("lubricant.roelands_p0", p0)?;
+        Ok(Self { eta0, exponent: 0.0, z: 1.0, p0 })
+    }
+
     /// The law `eta_0 exp{E [f (1 + p/p_0)^z - 1]}`; `f = 1` is this law.
     pub(super) fn scaled(&self, factor: f64) -> Self {
         let eta0 = self.eta0 * (self.exponent * (factor - 1.0)).min(Self::MAX_EXPONENT).exp();

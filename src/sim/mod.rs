@@ -57,7 +57,7 @@ pub use contact::numbers::{
 pub use contact::oil_numbers::OilNumbers;
 pub use contact::solution::ContactSolution;
 pub use contact::warnings::{Warning, given_film_warnings};
-pub use cycle::{CycleEnd, CyclePoint, CycleRecord, CycleSolution};
+pub use cycle::{CycleEnd, CycleExtremes, CyclePoint, CycleRecord, CycleRowScene, CycleSolution};
 #[cfg(feature = "serde")]
 pub use error::CheckpointError;
 pub use error::{BoxTooSmall, EdgeQuantity, SimError};

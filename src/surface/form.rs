@@ -55,7 +55,8 @@ impl Form {
     pub fn validate(&self) -> Result<(), InputError> {
         match *self {
             Self::Sphere { radius } | Self::Cylinder { radius } => {
-                InputError::require_positive("form.radius", radius)
+                let requirement = "finite and > 0: it is that of both bodies together. A concave body has a negative radius in `radii` = [ball, disc]";
+                InputError::require(radius.is_finite() && radius > 0.0, "form.radius", radius, requirement)
             }
             Self::Ellipsoid { radius_x, radius_y, angle } => {
                 InputError::require_positive("form.radius_x", radius_x)?;

@@ -26,6 +26,8 @@ fn steps(unit: &str) -> &'static [Step] {
         "m" => &LENGTHS,
         "m^2" => &AREAS,
         "m^3" => &[("mm^3", 1e-9, 0.0)],
+        "m^2/m" => &[("mm^2/m", 1e-6, 0.0)],
+        "m^3/m" => &[("mm^3/m", 1e-9, 0.0)],
         "m^2/s" => &[("mm^2/s", 1e-6, 0.0)],
         "m^3/s" => &[("mm^3/s", 1e-9, 0.0)],
         "Pa" => &PRESSURES,
@@ -48,7 +50,7 @@ pub(crate) fn unit_by_size(size: f64, unit: &'static str) -> (&'static str, f64)
     step.map_or((unit, 1.0), |&(name, factor, _)| (name, factor))
 }
 
-/// The `value` in the SI unit `unit` (m, m^2, m^3, m^2/s, m^3/s, Pa, N, N/m, W or W/m) with five digits, in a unit of its
+/// The `value` in the SI unit `unit` (m, m^2, m^3, m^2/m, m^3/m, m^2/s, m^3/s, Pa, N, N/m, W or W/m) with five digits, in a unit of its
 /// size: nm, um or mm; Pa, MPa or, from 0.1 GPa on, GPa; N, kN or MN. Values in other units keep them.
 ///
 /// ```

@@ -1,11 +1,13 @@
 //! `stribeck check`: regime, film and load on solids by formula, whether a scene can be solved and run, and the
 //! parts of its model, without solving.
 
+mod cycle;
 mod parts;
 mod words;
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 use stribeck::InputError;
@@ -49,21 +51,56 @@ struct Expected {
     picks_grid: bool,
     /// Errors are estimated by the solve.
     has_estimate: bool,
+    /// How the oil has its temperature.
+    temperature: OilTemperature,
     /// Memory of a solve on the grid \[byte\].
     memory: f64,
     warnings: Vec<Warning>,
     sim: MixedLubricationSim,
 }
 
+/// How the oil has its temperature.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum OilTemperature {
+    /// Its viscosity does not depend on it.
+    Without,
+    /// The scene states it.
+    Stated,
+    /// That of scenes without `thermal.bulk_temperature`.
+    Default,
+}
+
+impl OilTemperature {
+    /// That of `scene`, whose file is `path`.
+    fn of(scene: &Scene, path: &Path) -> Result<Self, InputError> {
+        let mut warmer = scene.clone();
+        warmer.thermal.bulk_temperature += 1.0;
+        let eta0 = |scene: &Scene| Ok::<_, InputError>(scene.oil_numbers()?.map(|oil| oil.eta0));
+        if eta0(scene)? == eta0(&warmer)? {
+            return Ok(Self::Without);
+        }
+        let text = fs::read_to_string(path).unwrap_or_default();
+        let file = text.parse::<toml::Table>().unwrap_or_default();
+        let states =
+            |table: &str| file.get(table).is_some_and(|table| table.get("bulk_temperature").is_some());
+        Ok(if states("thermal") || states("schedule") { Self::Stated } else { Self::Default })
+    }
+}
+
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let scene = output::load(&options.scene)?;
-    let expected = Expected::of(&scene).map_err(|error| output::in_scene(&options.scene, error.as_ref()))?;
-    let numbers = expected.to_json()?;
+    let named = |error: Box<dyn Error>| output::in_scene(&options.scene, error.as_ref());
+    let expected = Expected::of(&scene, &options.scene).map_err(named)?;
+    let mut numbers = expected.to_json()?;
+    let rows = cycle::Rows::of(&scene, &options.scene).map_err(named)?;
     output::warn(&expected.warnings);
     if options.json {
+        if let Some(rows) = rows {
+            numbers["cycle"] = rows.to_json()?;
+        }
         output::print(&numbers)?;
     } else {
-        output::print(&expected.to_text())?;
+        output::print(&expected.to_text(rows.as_ref()))?;
     }
     Ok(Outcome::Converged)
 }
@@ -71,7 +108,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
 impl Expected {
     /// # Errors
     /// That of a single contact, where neither it nor a history can be made of the scene.
-    fn of(scene: &Scene) -> Result<Self, Box<dyn Error>> {
+    fn of(scene: &Scene, path: &Path) -> Result<Self, Box<dyn Error>> {
         let builder = || MixedLubricationSim::builder(scene.clone());
         let (warnings, refusals) = match (builder().check_contact(), builder().check()) {
             (Err(solve), Err(_)) => return Err(solve.into()),
@@ -103,6 +140,7 @@ impl Expected {
             expectation: sim.expectation()?,
             picks_grid,
             has_estimate: scene.solver.estimate || scene.solver.accuracy.is_some(),
+            temperature: OilTemperature::of(scene, path)?,
             memory,
             warnings,
             sim,

@@ -1,22 +1,38 @@
 //! `stribeck cycle`: a contact over a cycle of load, speeds and radius.
 
+mod chart;
 mod history;
+mod page;
 mod squeeze;
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::{Value, json};
-use stribeck::Status;
+use serde_json::json;
 use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, SimError};
+use stribeck::units::by_size;
 
 use crate::output::{self, Held, Outcome, Output, ReportFile};
-use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
-use crate::report::{self, ErrorOf, Number, Report};
+use crate::picture;
 use crate::{files, interrupt};
+use chart::{chart, pressure_unit};
 use squeeze::{largest_squeeze, squeeze_warning};
+
+/// Kind of contact, by which the results have units and films.
+#[derive(Clone, Copy)]
+struct Kind {
+    is_line: bool,
+    is_rough: bool,
+}
+
+impl Kind {
+    /// The film that represents the contact: the central one, of rough bodies the mean in the middle of the contact.
+    fn film(self, point: &CyclePoint) -> f64 {
+        if self.is_rough { point.film_mean_central } else { point.film_central }
+    }
+}
 
 /// Most lines of the printed table.
 const LINES: usize = 25;
@@ -38,7 +54,8 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let scene = output::load(&options.scene)?;
     options.report.claim(&options.scene, options.output.force)?;
     let name = format!("{}_cycle", output::stem(&options.scene));
-    let is_line = scene.form.is_line();
+    let kind = Kind { is_line: scene.form.is_line(), is_rough: !scene.is_smooth() };
+    let is_line = kind.is_line;
     let mut targets = vec![options.output.out.join(format!("{name}.csv"))];
     if scene.cycle.as_ref().is_some_and(|cycle| cycle.repeat.is_some()) {
         targets.push(options.output.out.join(format!("{name}s.csv")));
@@ -64,21 +81,22 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     bar.finish_and_clear();
     let solution = solved.map_err(|error: SimError| output::in_scene(&options.scene, &error))?;
     let lines: Vec<String> = solution.points.iter().map(CyclePoint::csv).collect();
-    files::write(&targets[0], format!("{}\n{}\n", CyclePoint::COLUMNS, lines.join("\n")).as_bytes())?;
+    let columns = columns(CyclePoint::COLUMNS, is_line);
+    files::write(&targets[0], format!("{columns}\n{}\n", lines.join("\n")).as_bytes())?;
     if let Some(path) = &cycles {
-        files::write(path, history::csv(&solution.cycles).as_bytes())?;
+        files::write(path, history::csv(&solution.cycles, is_line).as_bytes())?;
     }
     if options.output.plot {
-        picture::write(&chart(&output::stem(&options.scene), &solution), &options.output.out, &name)?;
+        picture::write(&chart(&output::stem(&options.scene), &solution, kind), &options.output.out, &name)?;
     }
-    finish(options, &solution, is_line, targets, start.elapsed().as_secs_f64())
+    finish(options, &solution, kind, targets, start.elapsed().as_secs_f64())
 }
 
 /// Prints the numbers of a solved cycle, and the files `written`.
 fn finish(
     options: &Options,
     solution: &CycleSolution,
-    is_line: bool,
+    kind: Kind,
     mut written: Vec<PathBuf>,
     seconds: f64,
 ) -> Result<Outcome, Box<dyn Error>> {
@@ -101,13 +119,13 @@ fn finish(
         "version": env!("CARGO_PKG_VERSION"),
     });
     if let Some(path) = &options.report.report {
-        write_report(options, (solution, squeeze), (&numbers, is_line), path)?;
+        page::write(options, (solution, squeeze), (&numbers, kind), path)?;
         written.push(path.clone());
     }
     if options.output.json {
         output::print(&numbers)?;
     } else {
-        output::print(&format!("{}\ntime       {seconds:.2} s", report(solution, is_line)))?;
+        output::print(&format!("{}\ntime       {seconds:.2} s", report(solution, kind)))?;
     }
     output::report_files(&written, options.output.json)?;
     if let Some(reason) = &solution.ended_early {
@@ -118,6 +136,19 @@ fn finish(
         return Ok(Outcome::NotConverged);
     }
     Ok(Outcome::Converged)
+}
+
+/// The names of the `columns`, those of a line contact per metre.
+fn columns(columns: &str, is_line: bool) -> String {
+    if !is_line {
+        return columns.to_owned();
+    }
+    let per_metre = |name: &str| match name {
+        "load_N" | "friction_power_W" => format!("{name}_per_m"),
+        "wear_ball_volume_m3" | "wear_disc_volume_m3" => name.replace("_m3", "_m3_per_m"),
+        name => name.to_owned(),
+    };
+    columns.split(',').map(per_metre).collect::<Vec<_>>().join(",")
 }
 
 /// Mean power of friction over the contacts \[W\].
@@ -134,7 +165,8 @@ fn place(point: &CyclePoint) -> String {
 }
 
 /// The cycle in lines: its extremes, and a table of contacts.
-fn report(solution: &CycleSolution, is_line: bool) -> String {
+fn report(solution: &CycleSolution, kind: Kind) -> String {
+    let Kind { is_line, is_rough } = kind;
     let points = &solution.points;
     let step = match (solution.quasi_static, solution.is_moving) {
         (true, true) => "means of passages of moving roughness".to_owned(),
@@ -143,6 +175,7 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
             format!("in time, at most {:.2} half-widths of entrained film a step", solution.largest_step)
         }
     };
+    let (unit, pascals) = pressure_unit(points);
     let mut lines = vec![format!("cycle      {} contacts, {step}", points.len())];
     lines.extend(extremes(solution, is_line));
     lines.extend(history::table(&solution.cycles, is_line));
@@ -152,15 +185,15 @@ fn report(solution: &CycleSolution, is_line: bool) -> String {
         "ball, m/s",
         "disc, m/s",
         "load",
-        "h, nm",
+        if is_rough { "h mean,nm" } else { "h, nm" },
         "h min, nm",
-        "p, GPa",
+        format!("p, {unit}"),
         "on solids",
         "friction",
         "flash,K"
     ));
     let every = points.len().div_ceil(LINES).max(1);
-    lines.extend(points.iter().step_by(every).map(row));
+    lines.extend(points.iter().step_by(every).map(|point| row(point, kind, pascals)));
     lines.join("\n")
 }
 
@@ -176,7 +209,7 @@ fn extremes(solution: &CycleSolution, is_line: bool) -> Vec<String> {
         lines.push(format!("least film {:.2} nm at {}", 1e9 * point.film_minimum, place(point)));
     }
     if let Some(point) = extreme(|p| p.pressure_max, 1.0) {
-        lines.push(format!("pressure   {:.4} GPa at {}", 1e-9 * point.pressure_max, place(point)));
+        lines.push(format!("pressure   {} at {}", by_size(point.pressure_max, "Pa"), place(point)));
     }
     if let Some(point) = extreme(|p| p.contact_load_ratio, 1.0).filter(|p| p.contact_load_ratio > 0.0) {
         lines.push(format!(
@@ -202,13 +235,15 @@ fn extremes(solution: &CycleSolution, is_line: bool) -> Vec<String> {
     }
     if let Some(point) = largest_squeeze(solution) {
         let ratio = point.squeeze_ratio.unwrap_or(0.0);
-        lines.push(format!("squeeze    {ratio:.3} of the entrainment at {}", place(point)));
+        let dead = points.iter().find(|point| point.squeeze_ratio.is_none());
+        let dead = dead.map_or_else(String::new, |point| format!("; dead point at {}", place(point)));
+        lines.push(format!("squeeze    {ratio:.3} of the entrainment at {}{dead}", place(point)));
     }
     lines
 }
 
-/// A contact in a line.
-fn row(point: &CyclePoint) -> String {
+/// A contact in a line, its pressure in so many `pascals`.
+fn row(point: &CyclePoint, kind: Kind, pascals: f64) -> String {
     format!(
         "{:>12} {:>9.3} {:>9.3} {:>10.3e} {:>9.1} {:>9.1} {:>9.3} {:>9.4} {:>9.4} {:>7.1}",
         point
@@ -217,93 +252,11 @@ fn row(point: &CyclePoint) -> String {
         point.ball_speed,
         point.disc_speed,
         point.load,
-        1e9 * point.film_central,
+        1e9 * kind.film(point),
         1e9 * point.film_minimum,
-        1e-9 * point.pressure_max,
+        point.pressure_max / pascals,
         point.contact_load_ratio,
         point.friction_coefficient,
         point.flash_rise.unwrap_or(0.0)
     )
-}
-
-/// Films, pressure, friction, power and flash temperature over angle or time.
-fn chart(name: &str, solution: &CycleSolution) -> Chart {
-    let points = &solution.points;
-    let has_angles = points.iter().any(|point| point.angle.is_some());
-    let x = |point: &CyclePoint| point.angle.map_or(1e3 * point.time, f64::to_degrees);
-    let line = |name, colour, value: &dyn Fn(&CyclePoint) -> f64| {
-        let points = points.iter().map(|point| (x(point), value(point))).collect();
-        Line { name, colour, points, bands: Vec::new() }
-    };
-    let panel = |y_label: &str, lines| Panel::new(y_label, lines);
-    let mut panels = vec![
-        panel(
-            "film (nm)",
-            vec![
-                line("central", BLUE, &|p| 1e9 * p.film_central),
-                line("least", VERMILION, &|p| 1e9 * p.film_minimum),
-                line("formula", GREEN, &|p| 1e9 * p.formula_film),
-            ],
-        ),
-        panel(
-            "pressure (GPa)",
-            vec![
-                line("largest", BLUE, &|p| 1e-9 * p.pressure_max),
-                line("Hertz", GREEN, &|p| 1e-9 * p.hertz_pressure),
-            ],
-        ),
-        panel("on solids", vec![line("", BLUE, &|p| p.contact_load_ratio)]),
-        panel("friction", vec![line("", BLUE, &|p| p.friction_coefficient)]),
-        panel("power (W)", vec![line("", BLUE, &|p| p.friction_power)]),
-    ];
-    if points.iter().any(|point| point.flash_rise.is_some()) {
-        panels.push(panel("flash (K)", vec![line("", BLUE, &|p| p.flash_rise.unwrap_or(f64::NAN))]));
-    }
-    Chart {
-        title: format!("Cycle of {name}"),
-        x_label: if has_angles { "angle (deg)" } else { "time (ms)" },
-        x_scale: Scale::Linear,
-        upper: None,
-        panels,
-    }
-}
-
-/// Columns of the report.
-const COLUMNS: [(&str, &str, &str, f64); 12] = [
-    ("angle", "angle", "deg", 180.0 / std::f64::consts::PI),
-    ("time", "time", "ms", 1e3),
-    ("load", "load", "N", 1.0),
-    ("Hertz", "hertz_pressure", "GPa", 1e-9),
-    ("h formula", "formula_film", "nm", 1e9),
-    ("h", "film_central", "nm", 1e9),
-    ("h min", "film_minimum", "nm", 1e9),
-    ("p max", "pressure_max", "GPa", 1e-9),
-    ("on solids", "contact_load_ratio", "", 1.0),
-    ("friction", "friction_coefficient", "", 1.0),
-    ("power", "friction_power", "W", 1.0),
-    ("flash", "flash_rise", "K", 1.0),
-];
-
-fn write_report(
-    options: &Options,
-    (solution, squeeze): (&CycleSolution, Option<String>),
-    (numbers, is_line): (&Value, bool),
-    path: &Path,
-) -> Result<(), Box<dyn Error>> {
-    let mut report = Report::new(&options.scene, "cycle", Status::Converged)?;
-    report.warn(solution.warnings.iter().map(ToString::to_string).chain(squeeze));
-    if let Some(reason) = &solution.ended_early {
-        report.end_early(&reason.to_string());
-    }
-    let columns = COLUMNS.map(|(name, key, unit, factor)| {
-        let unit = match (unit, is_line) {
-            ("N", true) => "N/m",
-            ("W", true) => "W/m",
-            _ => unit,
-        };
-        Number { name, key, unit, factor, error: ErrorOf::None }
-    });
-    report.table(&report::rows(numbers, "points", &columns, LINES));
-    report.chart(&chart(&output::stem(&options.scene), solution))?;
-    report.write(path)
 }

@@ -8,8 +8,8 @@ use crate::output::{self, Outcome};
 
 #[derive(clap::Args)]
 pub(crate) struct Options {
-    /// Key, as lubricant.alpha or alpha, table, as lubricant, or the text of a warning [default: all tables with their keys]
-    #[arg(value_name = "KEY|WARNING")]
+    /// Key, as lubricant.alpha or alpha, table, as lubricant, result, as film.lambda, or the text of a warning [default: all tables with their keys]
+    #[arg(value_name = "KEY|RESULT|WARNING")]
     text: Vec<String>,
 }
 

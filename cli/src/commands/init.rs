@@ -3,6 +3,7 @@
 mod answers;
 mod disc;
 mod element;
+mod given;
 mod machine;
 mod oil;
 mod quantity;
@@ -22,6 +23,19 @@ use self::disc::Finish;
 use crate::files;
 use crate::output::{self, Outcome};
 
+/// Options of a ball on a disc.
+const OPTIONS: [&str; 10] = [
+    "--radius",
+    "--load",
+    "--speed",
+    "--slide-roll-ratio",
+    given::OIL,
+    "--roughness",
+    "--length",
+    "--finish",
+    "--surface",
+    "--cells",
+];
 /// Half a side of the box in Hertz half-widths.
 const BOX: f64 = 1.7;
 /// Most nodes of a scene that is solved to see whether that goes without a warning.
@@ -43,7 +57,7 @@ const ROOM: f64 = 0.3;
 const STEEL: (f64, f64) = (210e9, 0.3);
 /// Fields of the warnings that other answers can remove.
 const LARGEST_PRESSURE: &str = "pressure.max";
-const CENTRAL_FILM: &str = "film.central";
+const FILMS: [&str; 2] = ["film.central", "film.minimum"];
 /// Wanted error of a smooth contact.
 const ACCURACY: f64 = 0.02;
 /// The warning about the heat of an isothermal film.
@@ -128,7 +142,7 @@ pub(crate) struct Options {
 }
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
-    let ask = options.is_empty() && io::stdin().is_terminal();
+    let ask = given::is_empty(options) && io::stdin().is_terminal();
     files::require_folder(&options.file)?;
     if !options.force && options.file.exists() {
         return Err(format!("{}: the file exists; --force writes over it", options.file.display()).into());
@@ -139,6 +153,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if let Some(outcome) = machine::run(options)? {
         return Ok(outcome);
     }
+    given::require_used(options, "a ball on a disc", &OPTIONS)?;
     let mut answers = answers::answers(options, ask, None)?;
     let (text, scene) = loop {
         match written(options, &answers) {
@@ -197,7 +212,7 @@ fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<
     };
     let remedy = match warning.field.as_str() {
         LARGEST_PRESSURE => "less speed or viscosity, or more load",
-        CENTRAL_FILM | ESTIMATE => "more --cells, or more speed or viscosity",
+        field if field == ESTIMATE || FILMS.contains(&field) => "more --cells, or more speed or viscosity",
         _ => &warning.remedy,
     };
     let (field, message) = (&warning.field, &warning.message);

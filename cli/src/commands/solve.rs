@@ -1,6 +1,7 @@
 //! `stribeck solve`: one contact, a flat contact or a rigid bearing.
 
 mod bearing;
+mod bearing_profile;
 mod flat;
 mod passage;
 

@@ -23,11 +23,13 @@ pub(crate) struct Number<'a> {
     pub(crate) unit: &'a str,
     /// From SI units to `unit`.
     pub(crate) factor: f64,
+    /// From the zero of the SI unit to that of `unit`, in `unit`.
+    pub(crate) offset: f64,
     pub(crate) error: ErrorOf<'a>,
 }
 
 const fn number<'a>(name: &'a str, key: &'a str, unit: &'a str, factor: f64) -> Number<'a> {
-    Number { name, key, unit, factor, error: ErrorOf::None }
+    Number { name, key, unit, factor, offset: 0.0, error: ErrorOf::None }
 }
 
 const fn estimated<'a>(
@@ -37,7 +39,11 @@ const fn estimated<'a>(
     factor: f64,
     error: ErrorOf<'a>,
 ) -> Number<'a> {
-    Number { name, key, unit, factor, error }
+    Number { name, key, unit, factor, offset: 0.0, error }
+}
+
+const fn celsius<'a>(name: &'a str, key: &'a str) -> Number<'a> {
+    Number { name, key, unit: "°C", factor: 1.0, offset: -273.15, error: ErrorOf::None }
 }
 
 /// Numbers of a contact and of the means of a history. Those that an object does not have are left out.
@@ -55,8 +61,8 @@ const CONTACT: [Number<'static>; 50] = [
         1e9,
         ErrorOf::Relative("error_estimate.film_mean_central"),
     ),
-    number("Central film", "film.central", "nm", 1e9),
-    number("Least film", "film.minimum", "nm", 1e9),
+    estimated("Central film", "film.central", "nm", 1e9, ErrorOf::Relative("error_estimate.film_central")),
+    estimated("Least film", "film.minimum", "nm", 1e9, ErrorOf::Relative("error_estimate.film_minimum")),
     number("Film over Rq", "film.lambda", "", 1.0),
     number("Least film over Rq", "film.minimum_lambda", "", 1.0),
     number("Film over Rq by formula", "film.formula_lambda", "", 1.0),
@@ -71,9 +77,21 @@ const CONTACT: [Number<'static>; 50] = [
         1.0,
         ErrorOf::Absolute("error_estimate.contact_load_ratio"),
     ),
-    number("Contact over Hertz area", "contact.area_ratio", "", 1.0),
+    estimated(
+        "Contact over Hertz area",
+        "contact.area_ratio",
+        "",
+        1.0,
+        ErrorOf::Absolute("error_estimate.contact_area_ratio"),
+    ),
     number("Plastic area", "contact.plastic_area", "µm²", 1e12),
-    number("Largest pressure", "pressure.max", "GPa", 1e-9),
+    estimated(
+        "Largest pressure",
+        "pressure.max",
+        "GPa",
+        1e-9,
+        ErrorOf::Relative("error_estimate.pressure_max"),
+    ),
     number("Central pressure", "pressure.central", "GPa", 1e-9),
     estimated(
         "Friction coefficient",
@@ -136,8 +154,9 @@ pub(crate) fn contact(json: &Value, lubricated: bool, line: bool) -> String {
 }
 
 /// Numbers of a rigid bearing. Those that an object does not have are left out.
-const BEARING: [Number<'static>; 31] = [
+const BEARING: [Number<'static>; 34] = [
     number("Load", "load", "N", 1.0),
+    number("Load without the least pressure of the edges", "load_above_edges", "N", 1.0),
     number("Force towards the widest gap", "force.0", "N", 1.0),
     number("Force across", "force.1", "N", 1.0),
     number("Eccentricity", "eccentricity", "", 1.0),
@@ -163,9 +182,11 @@ const BEARING: [Number<'static>; 31] = [
     number("Flow from grooves", "groove_flow", "ml/s", 1e6),
     number("Flow from holes", "hole_flow", "ml/s", 1e6),
     number("Viscosity of the oil", "eta0", "mPa s", 1e3),
-    number("Temperature of the oil", "temperature", "K", 1.0),
-    number("Temperature of the supply", "supply_temperature", "K", 1.0),
-    number("Temperature at the outlet", "outlet_temperature", "K", 1.0),
+    number("Pressure-viscosity coefficient", "alpha", "1/GPa", 1e9),
+    number("Viscosity at the largest pressure over that at ambient pressure", "viscosity_ratio", "", 1.0),
+    celsius("Temperature of the oil", "temperature"),
+    celsius("Temperature of the supply", "supply_temperature"),
+    celsius("Temperature at the outlet", "outlet_temperature"),
     number("Heat that the oil carries", "carried_heat", "W", 1.0),
     number("Time of the computation", "seconds", "s", 1.0),
 ];
@@ -189,11 +210,13 @@ pub(crate) fn bearing(json: &Value, has_width: bool) -> String {
 /// Numbers below each other, with their errors and units.
 pub(crate) fn list(json: &Value, numbers: &[Number<'_>]) -> String {
     let rows = numbers.iter().filter_map(|number| {
-        let value = cell(json, number.key, number.factor)?;
+        let value = cell(json, number.key, [number.factor, number.offset])?;
         let error = match number.error {
             ErrorOf::None => None,
-            ErrorOf::Relative(key) => cell(json, key, 100.0).map(|error| format!(" ± {error} %")),
-            ErrorOf::Absolute(key) => cell(json, key, number.factor).map(|error| format!(" ± {error}")),
+            ErrorOf::Relative(key) => cell(json, key, [100.0, 0.0]).map(|error| format!(" ± {error} %")),
+            ErrorOf::Absolute(key) => {
+                cell(json, key, [number.factor, 0.0]).map(|error| format!(" ± {error}"))
+            }
         };
         let error = error.unwrap_or_default();
         let [name, unit] = [number.name, number.unit].map(escape);
@@ -216,12 +239,15 @@ pub(crate) fn rows(json: &Value, array: &str, columns: &[Number<'_>], most: usiz
     let body = (0..entries).step_by(every).map(|k| {
         let cells = columns.iter().map(|column| {
             let key = |name: &str| format!("{array}.{k}.{name}");
-            let value = cell(json, &key(column.key), column.factor).unwrap_or_else(|| "-".to_owned());
+            let value = cell(json, &key(column.key), [column.factor, column.offset])
+                .unwrap_or_else(|| "-".to_owned());
             let error = match column.error {
                 ErrorOf::None => None,
-                ErrorOf::Relative(name) => cell(json, &key(name), 100.0).map(|error| format!(" ± {error} %")),
+                ErrorOf::Relative(name) => {
+                    cell(json, &key(name), [100.0, 0.0]).map(|error| format!(" ± {error} %"))
+                }
                 ErrorOf::Absolute(name) => {
-                    cell(json, &key(name), column.factor).map(|error| format!(" ± {error}"))
+                    cell(json, &key(name), [column.factor, 0.0]).map(|error| format!(" ± {error}"))
                 }
             };
             format!("<td>{value}{}</td>", error.unwrap_or_default())
@@ -255,11 +281,13 @@ fn numbers_in(json: &Value, before: &str, keys: &mut Vec<String>) {
     }
 }
 
-/// The number under `key`, times `factor`, marked with both.
-fn cell(json: &Value, key: &str, factor: f64) -> Option<String> {
+/// The number under `key`, times a factor plus an offset, marked with all three.
+fn cell(json: &Value, key: &str, [factor, offset]: [f64; 2]) -> Option<String> {
     let value = value_at(json, key)?;
     let key = escape(key);
-    Some(format!("<span data-key=\"{key}\" data-factor=\"{factor:e}\">{}</span>", digits(factor * value)))
+    let shift = if offset == 0.0 { String::new() } else { format!(" data-offset=\"{offset}\"") };
+    let shown = digits(factor * value + offset);
+    Some(format!("<span data-key=\"{key}\" data-factor=\"{factor:e}\"{shift}>{shown}</span>"))
 }
 
 fn value_at(json: &Value, key: &str) -> Option<f64> {

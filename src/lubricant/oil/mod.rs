@@ -85,7 +85,7 @@ impl Oil {
     /// The oil of `kinematic` viscosity and `density` \[kg/m^3\] at 15 degrees Celsius, at `temperature` \[K\].
     ///
     /// # Errors
-    /// A density outside of 500 to 2500 kg/m^3, a coefficient or a temperature that is not positive.
+    /// A density outside of 500 to 2500 kg/m^3, a negative coefficient, a temperature that is not positive.
     pub fn new(
         kinematic: Walther,
         density: f64,
@@ -100,7 +100,7 @@ impl Oil {
         )?;
         InputError::require_positive("temperature", temperature)?;
         if let PressureViscosity::Measured { alpha, temperature } = pressure {
-            InputError::require_positive("lubricant.alpha", alpha)?;
+            InputError::require_non_negative("lubricant.alpha", alpha)?;
             InputError::require_positive("lubricant.temperature", temperature)?;
         }
         let current = law_at(&kinematic, density, pressure, temperature)?;
@@ -138,7 +138,8 @@ fn law_at(
             index(base.alpha(viscosity, petroleum_density(density, at), kinematic.slope()), at)
         }
     };
-    Roelands::new(ambient(kinematic, density, temperature), z, PRESSURE)
+    let eta0 = ambient(kinematic, density, temperature);
+    if z > 0.0 { Roelands::new(eta0, z, PRESSURE) } else { Roelands::isoviscous(eta0, PRESSURE) }
 }
 
 impl ViscosityLaw for Oil {

@@ -1,5 +1,7 @@
 //! Grooves and holes that feed a film.
 
+use std::f64::consts::SQRT_2;
+
 use crate::error::InputError;
 use crate::grid::Grid;
 
@@ -19,6 +21,25 @@ pub(super) fn free_share(feeds: &[Feed], first: (f64, f64), second: (f64, f64)) 
         (None, Some(feed)) => feed.share_beyond(second, first),
         _ => 1.0,
     }
+}
+
+/// Error for round `holes` of a `diameter` \[m\] one of which has no node of `grid`.
+pub(crate) fn require_resolved_holes(holes: &[Feed], diameter: f64, grid: Grid) -> Result<(), InputError> {
+    let is_resolved = |hole: &Feed| grid.nodes().any(|point| hole.contains(point));
+    if holes.iter().all(is_resolved) {
+        return Ok(());
+    }
+    // A circle as wide as the diagonal of a cell has a node anywhere.
+    let cells = |size: f64| (SQRT_2 * size / diameter).ceil();
+    let [nx, ny] = [cells(grid.size_x()), cells(grid.size_y())];
+    Err(InputError::Conflict {
+        field: format!("hole_diameter = {diameter:e} m"),
+        reason: format!(
+            "a hole lies between the nodes of {} x {} cells; nx = {nx} and ny = {ny}, or larger holes",
+            grid.nx(),
+            grid.ny()
+        ),
+    })
 }
 
 /// A rectangle or a circle of a [`GivenFilm`](super::GivenFilm) with a prescribed pressure: a groove, pocket or hole that is deep

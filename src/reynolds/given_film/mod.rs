@@ -22,6 +22,8 @@ mod row;
 mod solution;
 
 pub use feed::Feed;
+#[cfg_attr(not(feature = "serde"), expect(unused_imports, reason = "of scenes"))]
+pub(crate) use feed::require_resolved_holes;
 pub use film::FilmThickness;
 pub use roughness::{MeanContact, MeanRoughness};
 pub use solution::GivenFilmSolution;

@@ -85,6 +85,8 @@ pub struct JournalSolution {
     pub bore_widening: f64,
     /// The unrolled film: `x = R phi`; the lower surface is the journal.
     pub film: GivenFilmSolution,
+    /// Film thickness at its nodes \[m\].
+    pub thickness: Vec<f64>,
 }
 
 impl<'a> JournalBearing<'a> {
@@ -121,7 +123,7 @@ impl JournalBearing<'_> {
     }
 
     /// The bush as its feeds see it.
-    fn bush(&self) -> Bush<'_> {
+    pub(super) fn bush(&self) -> Bush<'_> {
         Bush {
             radius: self.radius,
             width: self.width,
@@ -146,7 +148,7 @@ impl JournalBearing<'_> {
         self.validate()?;
         let grid = self.grid(attitude)?;
         let supply = self.bush().supply(attitude);
-        self.bush().validate_holes(&supply)?;
+        self.bush().validate_holes(&supply, grid)?;
         let (land, pressure) = (supply.land, supply.end_pressure);
         let film = self.film_thickness(grid, eccentricity, widening)?;
         let speed = self.angular_speed * self.radius;
@@ -195,6 +197,7 @@ impl JournalBearing<'_> {
             hole_flow: if begins_at_hole { holes + at_ends } else { holes },
             bore_widening: widening.iter().copied().fold(0.0, f64::max),
             film: solution,
+            thickness: film.nodes().to_vec(),
         })
     }
 

@@ -74,14 +74,8 @@ pub(super) fn equilibrium(
         low = [walk.eccentricity, solution.load - load];
         let next = walk.eccentricity + walk.step(&solution);
         if next > MOST_ECCENTRIC {
-            return Err(InputError::Conflict {
-                field: format!("load = {load} N"),
-                reason: format!(
-                    "the film carries {:.6} N at an eccentricity of {:.3}; a smaller load, or stiffer bodies",
-                    solution.load, walk.eccentricity
-                ),
-            }
-            .into());
+            let found = [load, solution.load, walk.eccentricity];
+            return Err(bearing.overload(found, "a smaller load, or stiffer bodies").into());
         }
         solution = walk.to(next)?;
     }

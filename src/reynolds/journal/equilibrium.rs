@@ -79,15 +79,8 @@ impl JournalBearing<'_> {
         let most = self.most_eccentric();
         let solution = self.solve_at(most, attitude, interrupted)?;
         if solution.load < load {
-            return Err(InputError::Conflict {
-                field: format!("load = {load} N"),
-                reason: format!(
-                    "the film carries {:.6} N at an eccentricity of {most}; a smaller load, a thicker oil, a \
-                     higher speed or a smaller clearance",
-                    solution.load
-                ),
-            }
-            .into());
+            let remedy = "a smaller load, a thicker oil, a higher speed or a smaller clearance";
+            return Err(self.overload([load, solution.load, most], remedy).into());
         }
         // The load is zero at the eccentricity zero and grows with it, steeply near one: where false position is slow,
         // halving brackets the root.
@@ -95,6 +88,22 @@ impl JournalBearing<'_> {
         find_load(bracket, [load, LOAD_TOLERANCE], solution, |eccentricity| {
             self.solve_at(eccentricity, attitude, interrupted)
         })
+    }
+
+    /// Error for a `load` above the load `carried` at the largest eccentricity `most`; `remedy` is that of a film without feeds under the load.
+    pub(super) fn overload(&self, [load, carried, most]: [f64; 3], remedy: &str) -> InputError {
+        let remedy = self.bush().feeds_under_load().map_or_else(
+            || remedy.to_owned(),
+            |feeds| {
+                format!(
+                    "the loaded half of the film is drained by {feeds} from the load: put feeds opposite the load (180 deg), or take a smaller load"
+                )
+            },
+        );
+        InputError::Conflict {
+            field: format!("load = {load} N"),
+            reason: format!("the film carries {carried:.6} N at an eccentricity of {most:.2}; {remedy}"),
+        }
     }
 
     /// The equilibrium close to the eccentricity `near`; `None` if it is not there.

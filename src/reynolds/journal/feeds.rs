@@ -3,7 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::error::InputError;
-use crate::reynolds::given_film::Feed;
+use crate::grid::Grid;
+use crate::reynolds::given_film::{Feed, require_resolved_holes};
+
+/// Cosine of an angle below which it is a right angle up to rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// Axial grooves in the middle of the width of the bush.
 ///
@@ -149,6 +153,19 @@ impl Bush<'_> {
         [force * cosine, force * sine]
     }
 
+    /// The grooves and holes within a right angle of the load, in words; `None` without one.
+    pub(super) fn feeds_under_load(&self) -> Option<String> {
+        let under = |kind: &str, angles: &[f64]| {
+            let angles = angles.iter().filter(|angle| angle.cos() > ROUNDING);
+            let degrees = angles.map(|angle| format!("{:.0} deg", angle.to_degrees())).collect::<Vec<_>>();
+            (!degrees.is_empty()).then(|| format!("the {kind} at {}", degrees.join(", ")))
+        };
+        let grooves = self.grooves.and_then(|grooves| under("groove", grooves.angles));
+        let holes = self.holes.and_then(|holes| under("hole", holes.angles));
+        let found = [grooves, holes].into_iter().flatten().collect::<Vec<_>>();
+        (!found.is_empty()).then(|| found.join(" and "))
+    }
+
     /// Error for grooves that are out of range or overlap.
     pub(super) fn validate_grooves(&self) -> Result<(), InputError> {
         let Some(grooves) = self.grooves else { return Ok(()) };
@@ -178,7 +195,7 @@ impl Bush<'_> {
     }
 
     /// Error for holes that are out of range, or where the film begins or ends.
-    pub(super) fn validate_holes(&self, supply: &Supply) -> Result<(), InputError> {
+    pub(super) fn validate_holes(&self, supply: &Supply, grid: Grid) -> Result<(), InputError> {
         let Some(holes) = self.holes else { return Ok(()) };
         InputError::require(
             holes.diameter > 0.0 && holes.diameter < self.width,
@@ -197,7 +214,7 @@ impl Bush<'_> {
                 "a hole lies in the first groove or in the first hole; leave it out, or another angle";
             return Err(of_angles("hole_angles", holes.angles, reason));
         }
-        Ok(())
+        require_resolved_holes(supply.feeds.get(..supply.holes).unwrap_or(&[]), holes.diameter, grid)
     }
 }
 

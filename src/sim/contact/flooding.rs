@@ -5,6 +5,7 @@ use crate::sim::contact::far_field::outer::OuterContact;
 use crate::sim::contact::far_field::{BoxError, Contact, FloodedInlet, Inlet, InletScale};
 use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::ContactModel;
+use crate::sim::contact::warnings::Warning;
 use crate::sim::error::SimError;
 use crate::sim::scene::Scene;
 
@@ -60,6 +61,24 @@ impl ContactModel {
         }
         let error = scale.error_on(&self.grid);
         Ok(Some(FloodedInlet { film_error: error.ambient, box_holds_it: error.is_small() }))
+    }
+
+    /// The warning that the box of a cycle of `scene` cuts the inlet: its oil begins at the edges of the box.
+    pub(in crate::sim) fn cut_inlet(&self, scene: &Scene) -> Result<Option<Warning>, InputError> {
+        let Some(scale) = self.inlet_scale(scene)? else { return Ok(None) };
+        let error = scale.error_on(&self.grid);
+        if error.is_small() || self.is_starved(scene)? {
+            return Ok(None);
+        }
+        let message = format!(
+            "the box cuts the inlet at the largest entrainment speed of the cycle, whose oil begins at the edges of the box: the film is up to \
+             {:.0} % too thin",
+            100.0 * error.ambient
+        );
+        let remedy =
+            "take a wider box, or say that the oil begins at its edge (lubricant.inlet = \"box_edge\")"
+                .to_owned();
+        Ok(Some(Warning::new("grid.x", self.grid.x(0) - 0.5 * self.grid.dx(), message, remedy)))
     }
 
     /// Whether the supplied film meets the surfaces within the box: there is no pressure upstream of it.

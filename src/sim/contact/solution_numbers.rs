@@ -9,6 +9,9 @@ use std::fmt;
 use crate::sim::contact::solution::ContactSolution;
 use crate::units::by_size;
 
+/// Largest load ratio of a full film.
+const FULL_FILM: f64 = 0.05;
+
 impl fmt::Display for ContactSolution {
     /// A short report, one line per topic.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -83,7 +86,12 @@ impl ContactSolution {
                 by_size(film.mean_central, "m"),
                 film.formula_ratio.map_or_else(String::new, |ratio| {
                     let which = if self.roughness.composite_rq > 0.0 { "mean" } else { "central" };
-                    format!("; {which} over formula {ratio:.3}")
+                    let limit = if contact.load_ratio > FULL_FILM {
+                        " (the formula holds for full films)"
+                    } else {
+                        ""
+                    };
+                    format!("; {which} over formula {ratio:.3}{limit}")
                 })
             )?;
         }

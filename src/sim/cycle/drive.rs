@@ -238,6 +238,9 @@ pub(super) fn set_squeeze_ratios(points: &mut [CyclePoint], half_widths: &[f64],
     if count < 3 {
         return;
     }
+    let entrainment = |point: &CyclePoint| 0.5 * (point.ball_speed + point.disc_speed).abs();
+    // Slower ones are dead points, at which the table is rounded.
+    let least = LEAST_ENTRAINMENT * points.iter().map(entrainment).fold(0.0, f64::max);
     let ratios: Vec<Option<f64>> = (0..count)
         .map(|k| {
             let [before, after] = if once {
@@ -254,10 +257,10 @@ pub(super) fn set_squeeze_ratios(points: &mut [CyclePoint], half_widths: &[f64],
             } else {
                 2.0 * (point.time - from.time)
             };
-            let speed = 0.5 * (point.ball_speed + point.disc_speed).abs();
+            let speed = entrainment(&point);
             let rate = (to.film_central - from.film_central).abs() / time;
             let ratio = rate * half_widths.get(k)? / (speed * point.film_central);
-            (speed > 0.0 && ratio.is_finite()).then_some(ratio)
+            (speed > least && ratio.is_finite()).then_some(ratio)
         })
         .collect();
     points.iter_mut().zip(ratios).for_each(|(point, ratio)| point.squeeze_ratio = ratio);

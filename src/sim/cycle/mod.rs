@@ -8,8 +8,10 @@
 mod cycle_record;
 mod drive;
 mod end;
+mod extremes;
 mod passages;
 mod point;
+mod skipped;
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -22,9 +24,11 @@ use crate::sim::scene::cycle_table::{CycleRow, CycleTable};
 use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 use crate::sim::scene::{Flash, GridSpec, InletSpec, Motion, RoughnessState, Scene};
 use crate::surface::{Fixed, Form};
+use crate::units::by_size;
 
 pub use cycle_record::CycleRecord;
 pub use end::CycleEnd;
+pub use extremes::{CycleExtremes, CycleRowScene};
 pub use point::CyclePoint;
 
 /// Relative difference of the distances of both edges along x of a box that counts as symmetric.
@@ -87,6 +91,7 @@ impl SimBuilder {
         observer: &mut dyn FnMut(&CyclePoint) -> bool,
     ) -> Result<CycleSolution, SimError> {
         let table = CycleTable::new(&self.scene)?;
+        let is_flooded = self.scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::Flooded);
         self.scene = cycle_scene(self.scene, &table)?;
         require_rows(&self.scene, &self.scene.grid()?, &table)?;
         if !self.scene.motion.roughness.is_at_rest() {
@@ -94,8 +99,12 @@ impl SimBuilder {
         }
         self.motion = Some(std::sync::Arc::new(Fixed));
         self.squeeze = !table.quasi_static;
+        let skipped = skipped::skipped_motion(&self.scene, &table)?;
         let sim = self.build()?;
-        drive::Drive::new(sim, table).run(observer)
+        let cut = if is_flooded { sim.contact.cut_inlet(&sim.scene)? } else { None };
+        let mut solution = drive::Drive::new(sim, table).run(observer)?;
+        solution.warnings.extend(cut.into_iter().chain(skipped));
+        Ok(solution)
     }
 }
 
@@ -206,7 +215,12 @@ fn require_rows(scene: &Scene, grid: &Grid, table: &CycleTable) -> Result<(), In
             setup::validate_room(&at, grid, &hertz)
         });
         fits.map_err(|error| InputError::Conflict {
-            field: format!("cycle, row {index} with load = {:?}, radius = {:?}", row.load, row.radius),
+            field: format!(
+                "{}: load = {}, radius = {}",
+                table.source.row(index),
+                by_size(row.load, if at.form.is_line() { "N/m" } else { "N" }),
+                by_size(row.radius, "m")
+            ),
             reason: error.to_string(),
         })?;
     }

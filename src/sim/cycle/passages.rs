@@ -21,7 +21,7 @@ pub(super) fn solve(
     // The last row of a cycle that repeats is its first one.
     let count = if table.once { table.rows.len() } else { table.rows.len().saturating_sub(1) };
     let rows = table.rows.get(..count).unwrap_or_default();
-    require_flow(rows)?;
+    require_flow(rows, table)?;
     let length = builder.scene.motion.passage;
     let start = builder.in_motion()?;
     let mut solution = CycleSolution {
@@ -97,11 +97,11 @@ fn passage_at(
 }
 
 /// Rejects rows that entrain no oil along +x.
-fn require_flow(rows: &[CycleRow]) -> Result<(), InputError> {
+fn require_flow(rows: &[CycleRow], table: &CycleTable) -> Result<(), InputError> {
     for (index, row) in rows.iter().enumerate() {
         InputError::require(
             row.entrainment() > 0.0,
-            &format!("0.5 (cycle.ball_speed[{index}] + cycle.disc_speed[{index}])"),
+            &format!("{}: 0.5 (cycle.ball_speed + cycle.disc_speed)", table.source.row(index)),
             row.entrainment(),
             "> 0, roughness that moves (motion.roughness) passes with a film along +x; leave such rows out, or leave motion.roughness out",
         )?;

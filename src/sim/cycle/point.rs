@@ -47,7 +47,7 @@ pub struct CyclePoint {
     /// Largest flash temperature rise \[K\]; `None` if not modelled.
     pub flash_rise: Option<f64>,
     /// Size of the squeeze term: change of the central film in the time in which the entrained film passes a half-width,
-    /// over the film. `None` at zero entrainment.
+    /// over the film. `None` at dead points, where the entrainment vanishes.
     pub squeeze_ratio: Option<f64>,
     /// Volume worn off the ball since the start of the history \[m^3\].
     pub wear_ball_volume: f64,

@@ -54,6 +54,8 @@ pub struct HistoryMeans {
     load_distance: f64,
     /// Whether the contacts are dry.
     is_dry: bool,
+    /// Whether the contacts are lines or strips, whose results are per metre.
+    is_line: bool,
 }
 
 impl HistoryMeans {
@@ -67,7 +69,20 @@ impl HistoryMeans {
             moved: 0,
             load_distance: 0.0,
             is_dry: false,
+            is_line: false,
         }
+    }
+
+    /// The means of a line contact or a strip: the table has loads, powers, flows, areas and volumes per metre.
+    ///
+    /// ```
+    /// use stribeck::sim::HistoryMeans;
+    /// assert_eq!(HistoryMeans::new(2).of_line().mean("contact", "load_ratio"), None); // no step yet
+    /// ```
+    #[must_use]
+    pub fn of_line(mut self) -> Self {
+        self.is_line = true;
+        self
     }
 
     /// Takes in the next step.
@@ -119,6 +134,18 @@ impl HistoryMeans {
     /// Whether the contacts are dry.
     pub(in crate::sim) fn is_dry(&self) -> bool {
         self.is_dry
+    }
+
+    /// The SI unit of `column`, of a line contact per metre.
+    pub(in crate::sim) fn unit(&self, column: &Column) -> &'static str {
+        match column.unit {
+            "N" if self.is_line => "N/m",
+            "W" if self.is_line => "W/m",
+            "m^2" if self.is_line => "m^2/m",
+            "m^3" if self.is_line => "m^3/m",
+            "m^3/s" if self.is_line => "m^2/s",
+            unit => unit,
+        }
     }
 
     /// Columns and their means, without columns that were empty in a step.

@@ -37,7 +37,7 @@ impl fmt::Display for HistoryMeans {
             if is_absent || (self.is_dry() && begins(column.name, &OF_FILMS)) {
                 continue;
             }
-            let (unit, factor) = unit_by_size(largest, column.unit);
+            let (unit, factor) = unit_by_size(largest, self.unit(column));
             let cells = values.map(|value| value.map_or_else(String::new, |value| digits(value / factor)));
             let [first, last, mean] = cells;
             write!(f, "\n{:<28} {first:>12} {last:>12} {mean:>12}  {unit}", column.name)?;
@@ -49,5 +49,28 @@ impl fmt::Display for HistoryMeans {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sim::history::columns::COLUMNS;
+
+    #[test]
+    fn units_of_lines_are_per_metre() {
+        let unit = |name: &str, means: &HistoryMeans| {
+            let column = COLUMNS.iter().find(|column| column.name == name);
+            column.map_or("", |column| means.unit(column))
+        };
+        let (point, line) = (HistoryMeans::new(1), HistoryMeans::new(1).of_line());
+        for (name, units) in [
+            ("flow.outflow", ["m^3/s", "m^2/s"]),
+            ("wear.ball_volume", ["m^3", "m^3/m"]),
+            ("friction.power_loss", ["W", "W/m"]),
+            ("film.central", ["m", "m"]),
+        ] {
+            assert_eq!([unit(name, &point), unit(name, &line)], units, "{name}");
+        }
     }
 }

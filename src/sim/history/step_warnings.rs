@@ -14,6 +14,7 @@ impl MixedLubricationSim {
             dx: self.contact.grid.dx(),
             smooth: record.roughness.composite_rq == 0.0,
             central_film: record.film.central,
+            minimum_film: record.film.minimum,
             friction: record.friction.coefficient,
             load_ratio: record.contact.load_ratio,
             temperatures: record.thermal.map(|heat| [heat.film_temperature_max, record.bulk_temperature]),

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use crate::error::InputError;
+use crate::sim::scene::cycle_source::CycleSource;
 
 /// Conditions of a contact over a cycle. Each list has one value per row; quantities without a list are those of the
 /// scene. Between rows all quantities are linear in time.
@@ -91,7 +92,7 @@ impl CycleSpec {
     }
 
     /// Times of the rows \[s\], by angles where these are given.
-    pub(super) fn times(&self) -> Result<Vec<f64>, InputError> {
+    pub(super) fn times(&self, source: &CycleSource) -> Result<Vec<f64>, InputError> {
         let conflict = |field: &str, reason: &str| {
             Err(InputError::Conflict { field: field.to_owned(), reason: reason.to_owned() })
         };
@@ -116,15 +117,12 @@ impl CycleSpec {
             given.len() as f64,
             "a list of at least 2",
         )?;
-        InputError::require_finite(&format!("cycle.{key}"), given)?;
+        for (row, value) in given.iter().enumerate() {
+            source.require(value.is_finite(), (key, row), *value, "finite")?;
+        }
         for (row, pair) in given.windows(2).enumerate() {
             let requirement = "above the row before, a cycle does not go back";
-            InputError::require(
-                pair[1] > pair[0],
-                &format!("cycle.{key}[{}]", row + 1),
-                pair[1],
-                requirement,
-            )?;
+            source.require(pair[1] > pair[0], (key, row + 1), pair[1], requirement)?;
         }
         Ok(times)
     }

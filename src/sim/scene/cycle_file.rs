@@ -4,43 +4,42 @@ use std::path::Path;
 
 use crate::error::{InputError, escape};
 use crate::sim::scene::CycleSpec;
+use crate::sim::scene::cycle_source::{CycleLines, CycleSource};
 use crate::text_file;
 use crate::units::Dimension;
 
 impl CycleSpec {
-    /// The spec with the columns of the file at `path`.
-    pub(super) fn read(&self, path: &Path, is_line: bool) -> Result<Self, InputError> {
-        let refused = |reason: String| InputError::Conflict {
-            field: "cycle.table".to_owned(),
-            reason: format!("{}: {reason}", path.display()),
-        };
+    /// The spec with the columns of the file at `path`, and its lines.
+    pub(super) fn read(&self, path: &Path, is_line: bool) -> Result<(Self, CycleSource), InputError> {
+        let mut file = CycleLines { path: path.to_owned(), columns: Vec::new(), lines: Vec::new() };
         let given = [&self.time, &self.angle, &self.load, &self.ball_speed, &self.disc_speed, &self.radius];
         if given.iter().any(|column| !column.is_empty()) || !self.bulk_temperature.is_empty() {
-            return Err(refused("the table replaces the lists; give one of the two".to_owned()));
+            return Err(file.error("the table replaces the lists; give one of the two"));
         }
-        let text = text_file::read(path).map_err(|error| refused(error.to_string()))?;
+        let text = text_file::read(path).map_err(|error| file.error(&error.to_string()))?;
         let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
         let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim().starts_with('#'));
-        let Some((_, names)) = lines.next() else { return Err(refused("is empty".to_owned())) };
-        let headings = names.split(',').map(|name| Heading::of(name, is_line).map_err(&refused));
-        let headings = headings.collect::<Result<Vec<_>, _>>()?;
+        let Some((number, names)) = lines.next() else { return Err(file.error("is empty")) };
+        let headings = headings(names, is_line)
+            .map_err(|reason| file.error(&format!("line {}: {reason}", number + 1)))?;
+        file.columns = headings.iter().map(|heading| (heading.key, heading.text.to_owned())).collect();
         let mut spec = Self { table: None, ..self.clone() };
         for (number, line) in lines {
             let cells: Vec<&str> = line.split(',').map(str::trim).collect();
-            let line = number + 1;
+            let number = number + 1;
             if cells.len() != headings.len() {
                 let (found, expected) = (cells.len(), headings.len());
-                return Err(refused(format!(
-                    "line {line} has {found} values, the line of names has {expected}"
-                )));
+                return Err(file
+                    .error(&format!("line {number} has {found} values, the line of names has {expected}")));
             }
             for (heading, cell) in headings.iter().zip(cells) {
                 let value =
-                    heading.value(cell).map_err(|reason| refused(format!("line {line}, {reason}")))?;
+                    heading.value(cell).map_err(|reason| file.error(&format!("line {number}, {reason}")))?;
                 spec.column(heading.name).push(value);
             }
+            file.lines.push((number, line.to_owned()));
         }
-        Ok(spec)
+        Ok((spec, CycleSource::File(file)))
     }
 
     /// The list of the column `name`.
@@ -80,8 +79,28 @@ const COLUMNS: [(&str, Column, Dimension); 7] = [
     ("bulk_temperature", Column::BulkTemperature, Dimension::Temperature),
 ];
 
+/// The columns of the line of `names`.
+fn headings(names: &str, is_line: bool) -> Result<Vec<Heading<'_>>, String> {
+    let other = [';', '\t'].into_iter().find(|separator| names.contains(*separator));
+    if let Some(separator) = other.filter(|_| !names.contains(',')) {
+        let found = escape(&separator.to_string());
+        return Err(format!(
+            "columns are separated by commas, not by `{found}`; numbers have a decimal point"
+        ));
+    }
+    let headings = names.split(',').map(|name| Heading::of(name, is_line)).collect::<Result<Vec<_>, _>>()?;
+    let is_repeated =
+        |(index, heading): &(usize, &Heading<'_>)| headings[..*index].iter().any(|h| h.key == heading.key);
+    match headings.iter().enumerate().find(is_repeated) {
+        Some((_, heading)) => Err(format!("column {} is there twice", heading.key)),
+        None => Ok(headings),
+    }
+}
+
 /// Name and unit of a column.
 struct Heading<'a> {
+    /// As written.
+    text: &'a str,
     key: &'static str,
     name: Column,
     dimension: Dimension,
@@ -102,18 +121,19 @@ impl<'a> Heading<'a> {
         };
         let dimension =
             if is_line && *dimension == Dimension::Force { Dimension::ForcePerLength } else { *dimension };
-        Ok(Self { key, name: *name, dimension, unit: unit.trim() })
+        Ok(Self { text, key, name: *name, dimension, unit: unit.trim() })
     }
 
     /// The value of `cell` in SI units.
     fn value(&self, cell: &str) -> Result<f64, String> {
-        let key = self.key;
+        let text = escape(self.text);
         if cell.is_empty() {
-            return Err(format!("column {key} is empty"));
+            return Err(format!("column {text} is empty"));
         }
         if self.unit.is_empty() {
-            return cell.parse().map_err(|_| format!("column {key}: `{}` is not a number", escape(cell)));
+            return cell.parse().map_err(|_| format!("column {text}: `{}` is not a number", escape(cell)));
         }
-        self.dimension.parse(key, &format!("{cell} {}", self.unit)).map_err(|error| error.to_string())
+        let parsed = self.dimension.parse(&text, &format!("{cell} {}", self.unit));
+        parsed.map_err(|error| error.to_string())
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::error::InputError;
 use crate::sim::scene::Scene;
+use crate::sim::scene::cycle_source::CycleSource;
 use crate::surface::Form;
 
 /// Relative difference of the last row from the first one of a cycle that repeats.
@@ -59,6 +60,8 @@ pub(in crate::sim) struct CycleTable {
     pub(in crate::sim) once: bool,
     /// Solved cycles of a history, and the cycles that each stands for; `None` for unchanged bodies.
     pub(in crate::sim) history: Option<(usize, f64)>,
+    /// Origin of the rows.
+    pub(in crate::sim) source: CycleSource,
 }
 
 impl CycleTable {
@@ -72,11 +75,11 @@ impl CycleTable {
             let reason = "is missing: a cycle needs times or angles, and speeds or loads".to_owned();
             return Err(InputError::Conflict { field: "cycle".to_owned(), reason });
         };
-        let spec = match &spec.table {
-            None => spec.clone(),
+        let (spec, source) = match &spec.table {
+            None => (spec.clone(), CycleSource::Lists),
             Some(path) => spec.read(path, scene.form.is_line())?,
         };
-        let times = spec.times()?;
+        let times = spec.times(&source)?;
         let force = scene.load.force.unwrap_or(scene.constant_hertz()?.force);
         let own = [
             ("load", &spec.load, force),
@@ -86,7 +89,7 @@ impl CycleTable {
             ("bulk_temperature", &spec.bulk_temperature, scene.thermal.bulk_temperature),
         ];
         for (key, values, _) in &own {
-            check_column(key, values, times.len())?;
+            check_column(key, values, times.len(), &source)?;
         }
         if !spec.radius.is_empty() && matches!(scene.form, Form::Ellipsoid { .. }) {
             let reason =
@@ -103,7 +106,7 @@ impl CycleTable {
         let turn = spec.period.filter(|_| !spec.angle.is_empty());
         let (quasi_static, once) = (spec.quasi_static, spec.once);
         let history = spec.history()?;
-        let mut table = Self { rows: rows.collect(), turn, steps, quasi_static, once, history };
+        let mut table = Self { rows: rows.collect(), turn, steps, quasi_static, once, history, source };
         table.require_motion()?;
         table.close(spec.period)?;
         Ok(table)
@@ -124,7 +127,7 @@ impl CycleTable {
         let pause = self.rows.windows(2).position(|pair| pair.iter().all(rests));
         match pause.filter(|_| self.quasi_static) {
             Some(row) => conflict(
-                format!("cycle.ball_speed[{row}] + cycle.disc_speed[{row}] = 0"),
+                format!("{}: cycle.ball_speed + cycle.disc_speed = 0", self.source.row(row)),
                 "is 0 in the next row too: a quasi-static contact at rest has no film; leave quasi_static out, the film then \
                  drains by squeeze",
             ),
@@ -161,7 +164,7 @@ impl CycleTable {
         ] {
             let requirement = "the value of the first row, the cycle repeats; once = true runs it once";
             let closed = (a - b).abs() <= CLOSED * scale;
-            InputError::require(closed, &format!("cycle.{key}[{row}]"), b, requirement)?;
+            self.source.require(closed, (key, row), b, requirement)?;
         }
         Ok(())
     }
@@ -191,16 +194,15 @@ impl CycleTable {
 }
 
 /// Rejects a column of another length than the times, and values out of range.
-fn check_column(key: &str, values: &[f64], rows: usize) -> Result<(), InputError> {
-    let field = format!("cycle.{key}");
+fn check_column(key: &str, values: &[f64], rows: usize, source: &CycleSource) -> Result<(), InputError> {
     if !values.is_empty() {
-        InputError::require_len(&field, values, rows)?;
+        InputError::require_len(&format!("cycle.{key}"), values, rows)?;
     }
     let is_speed = key.ends_with("speed");
     for (row, value) in values.iter().enumerate() {
         let fits = value.is_finite() && (is_speed || *value > 0.0);
         let requirement = if is_speed { "finite" } else { "finite and > 0" };
-        InputError::require(fits, &format!("{field}[{row}]"), *value, requirement)?;
+        source.require(fits, (key, row), *value, requirement)?;
     }
     Ok(())
 }

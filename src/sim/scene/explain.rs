@@ -1,5 +1,6 @@
 //! Explanations of keys and warnings from the pages of the book.
 
+use super::explain_output::output;
 use crate::error::{InputError, escape};
 use crate::nearest::nearest;
 
@@ -29,11 +30,13 @@ struct Row {
     keys: Vec<String>,
     /// Whether the table lists keys; others list values.
     lists_keys: bool,
+    /// Whether the row is that of a key whose values are listed: the table has the key as its first heading.
+    lists_values: bool,
     /// Headings and cells.
     cells: Vec<(String, String)>,
 }
 
-/// Explains a key of scene files (`lubricant.alpha`, `alpha`), a table or a warning by its text, in the words of the book. An empty text
+/// Explains a key of scene files (`lubricant.alpha`, `alpha`), a table, a result (`film.lambda`) or a warning by its text, in the words of the book. An empty text
 /// lists all tables with their keys.
 ///
 /// ```
@@ -58,6 +61,9 @@ pub fn explain(text: &str) -> Result<String, InputError> {
     if !found.is_empty() {
         return Ok(found.join("\n\n"));
     }
+    if let Some(result) = output(asked) {
+        return Ok(result);
+    }
     if let Some(warning) = warning(text) {
         return Ok(warning);
     }
@@ -65,11 +71,28 @@ pub fn explain(text: &str) -> Result<String, InputError> {
     let near = nearest(asked, paths.iter().map(String::as_str));
     Err(InputError::Conflict {
         field: format!("\"{}\"", escape(text)),
-        reason: format!("is neither a key of a scene nor a warning; the nearest keys: {}", near.join(", ")),
+        reason: format!(
+            "is neither a key of a scene nor a result nor a warning; the nearest keys: {}",
+            near.join(", ")
+        ),
     })
 }
 
 impl Row {
+    /// The row of the key in the first `heading` of a table of its values, without values.
+    fn of_values(page: &'static str, tables: &[String], heading: &str) -> Option<Self> {
+        let keys = if heading.starts_with('`') { quoted(heading) } else { Vec::new() };
+        let row = Self {
+            page,
+            tables: tables.to_vec(),
+            keys,
+            lists_keys: false,
+            lists_values: true,
+            cells: Vec::new(),
+        };
+        (!row.keys.is_empty() && !row.tables.is_empty()).then_some(row)
+    }
+
     /// Full paths of the keys.
     fn paths(&self) -> Vec<String> {
         let of = |table: &String| self.keys.iter().map(|key| format!("{table}.{key}")).collect::<Vec<_>>();
@@ -81,8 +104,9 @@ impl Row {
         let (table, key) = asked.rsplit_once('.').map_or(("", asked), |(table, key)| (table, key));
         let within = |own: &str| own.strip_prefix(asked).is_some_and(|rest| rest.starts_with('.'));
         let is_table = self.tables.iter().any(|own| own == asked || within(own));
-        let is_key = self.keys.iter().any(|own| own == key)
-            && (table.is_empty() || self.tables.iter().any(|own| own == table));
+        let is_key = self.keys.iter().any(|own| own == asked)
+            || (self.keys.iter().any(|own| own == key)
+                && (table.is_empty() || self.tables.iter().any(|own| own == table)));
         if !is_table && !is_key {
             return None;
         }
@@ -97,7 +121,7 @@ impl Row {
 /// All tables with their keys, a table a line.
 fn all_tables(rows: &[Row]) -> String {
     let mut lines: Vec<(String, Vec<&str>)> = Vec::new();
-    for row in rows.iter().filter(|row| row.lists_keys) {
+    for row in rows.iter().filter(|row| row.lists_keys || row.lists_values) {
         let heading = format!("[{}]", row.tables.join("], ["));
         if lines.iter().all(|(known, _)| *known != heading) {
             lines.push((heading.clone(), Vec::new()));
@@ -129,6 +153,7 @@ fn rows(page: &'static str, content: &str) -> Vec<Row> {
             continue;
         };
         if !previous_is_row {
+            found.extend(cells.first().and_then(|heading| Row::of_values(page, &tables, heading)));
             headings = cells;
         } else if let Some((first, rest)) = cells.split_first() {
             let keys = quoted(first);
@@ -136,7 +161,19 @@ fn rows(page: &'static str, content: &str) -> Vec<Row> {
                 let named = headings.iter().skip(1).zip(rest);
                 let cells = named.map(|(heading, cell)| (plain(heading), plain(cell))).collect();
                 let lists_keys = headings.first().is_some_and(|heading: &String| heading == "key");
-                found.push(Row { page, tables: tables.clone(), keys, lists_keys, cells });
+                let key = found.iter_mut().rev().find(|row: &&mut Row| row.lists_values);
+                let lists_values = headings.first().is_some_and(|heading: &String| heading.starts_with('`'));
+                if let Some(key) = key.filter(|_| lists_values) {
+                    key.cells.push((plain(first), rest.first().map_or_else(String::new, |cell| plain(cell))));
+                }
+                found.push(Row {
+                    page,
+                    tables: tables.clone(),
+                    keys,
+                    lists_keys,
+                    lists_values: false,
+                    cells,
+                });
             }
         }
         previous_is_row = true;
@@ -164,7 +201,7 @@ fn warning(text: &str) -> Option<String> {
 }
 
 /// Cells of a row of a Markdown table; `None` for another line.
-fn cells(line: &str) -> Option<Vec<String>> {
+pub(super) fn cells(line: &str) -> Option<Vec<String>> {
     let inner = line.trim().strip_prefix('|')?.strip_suffix('|')?;
     Some(inner.split('|').map(|cell| cell.trim().to_owned()).collect())
 }
@@ -176,12 +213,12 @@ fn bracketed(line: &str) -> Vec<String> {
 }
 
 /// The words in backquotes.
-fn quoted(text: &str) -> Vec<String> {
+pub(super) fn quoted(text: &str) -> Vec<String> {
     text.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
 /// Markdown without backquotes and targets of links.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some((before, after)) = rest.split_once("](") {
@@ -211,6 +248,12 @@ mod tests {
 
     #[test]
     fn tables_are_listed_and_explained_with_those_within() {
+        let kinds = explain("roughness.disc.kind").unwrap();
+        assert!(
+            kinds.contains("\"gaussian\", \"exponential\": random") && kinds.contains("\"file\": measured"),
+            "{kinds}"
+        );
+        assert!(explain("solver.kind").unwrap().contains("\"newton_krylov\": "));
         let all = explain("").unwrap();
         for table in ["[form] kind", "[given_film] kind", "[materials.ball], [materials.disc] material"] {
             assert!(all.contains(table), "{table}: {all}");

@@ -4,11 +4,12 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
+use super::ThermalSpec;
 use super::given_film::{
     BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadRelief, RoughnessSpec,
 };
+use super::lubricant_table::RigidFilmLubricant;
 use super::tables::required;
-use super::{LubricantSpec, ThermalSpec};
 use crate::reynolds::ElasticBore;
 
 /// A scene file of a rigid bearing.
@@ -16,7 +17,7 @@ use crate::reynolds::ElasticBore;
 #[serde(deny_unknown_fields)]
 pub(in crate::sim) struct BearingFile {
     pub(in crate::sim) given_film: BearingTable,
-    pub(in crate::sim) lubricant: LubricantSpec,
+    pub(in crate::sim) lubricant: RigidFilmLubricant,
     #[serde(default)]
     pub(in crate::sim) thermal: ThermalSpec,
 }
@@ -101,6 +102,8 @@ struct PadTable {
     step: Option<f64>,
     /// Pressures at inlet, outlet and both sides \[Pa\].
     edge_pressures: Option<Vec<f64>>,
+    /// Pressure at which the oil cavitates \[Pa\].
+    cavitation_pressure: Option<f64>,
     /// Diameter of dimples \[m\].
     dimple_diameter: Option<f64>,
     /// Depth of dimples \[m\].
@@ -134,6 +137,11 @@ impl BearingTable {
             format!("`edge_pressures` has {} values, expected 4: inlet, outlet and both sides", given.len())
         };
         given.try_into().map_err(|_| wrong())
+    }
+
+    /// Pressure at which the oil of a pad cavitates.
+    pub(in crate::sim) fn cavitation_pressure(&self) -> f64 {
+        self.pad().and_then(|pad| pad.cavitation_pressure).unwrap_or(0.0)
     }
 
     /// Roughness of both surfaces.
@@ -198,7 +206,12 @@ impl BearingTable {
         Ok(Some(HoleSpec {
             places: required(key, places.clone())?,
             diameter: required("hole_diameter", self.hole_diameter)?,
-            pressure: required("supply_pressure", self.supply_pressure)?,
+            pressure: self.supply_pressure.ok_or_else(|| {
+                format!(
+                    "missing field `supply_pressure` of the table [given_film]: `{key}` need the pressure of their oil above ambient, \
+                     such as supply_pressure = \"1 bar\""
+                )
+            })?,
         }))
     }
 

@@ -73,6 +73,7 @@ pub(super) const KEYS: &[(&str, Dimension)] = &[
     ("given_film.step", Length),
     ("given_film.speed", Speed),
     ("given_film.edge_pressures", Pressure),
+    ("given_film.cavitation_pressure", Pressure),
     ("given_film.dimple_diameter", Length),
     ("given_film.dimple_depth", Length),
     ("given_film.dimple_density", Ratio),

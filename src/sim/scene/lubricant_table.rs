@@ -1,7 +1,7 @@
 //! The table `[lubricant]` of a scene file.
 
 use super::oil_keys::OilKeys;
-use super::{InletSpec, LubricantSpec, ViscositySpec};
+use super::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};
 use crate::lubricant::BaseOil;
 use crate::thermal::FilmThermal;
 
@@ -64,6 +64,27 @@ impl TryFrom<LubricantTable> for LubricantSpec {
             thermal: table.thermal,
             ..usual
         })
+    }
+}
+
+/// `[lubricant]` of films between rigid surfaces, where `eta0` alone is an isoviscous oil.
+#[derive(serde::Deserialize)]
+#[serde(try_from = "LubricantTable")]
+pub(in crate::sim) struct RigidFilmLubricant(pub(in crate::sim) LubricantSpec);
+
+impl TryFrom<LubricantTable> for RigidFilmLubricant {
+    type Error = String;
+
+    fn try_from(mut table: LubricantTable) -> Result<Self, String> {
+        let index = [table.roelands_z, table.alpha, table.roelands_s0, table.temperature];
+        if index.iter().all(Option::is_none) && table.viscosity.is_none() {
+            let by_data_sheet = table.grade.is_some() || table.kinematic.is_some();
+            if let (Some(eta0), false) = (table.eta0, by_data_sheet) {
+                table.eta0 = None;
+                table.viscosity = Some(ViscositySpec::Barus(BarusConstants { eta0, alpha: 0.0 }));
+            }
+        }
+        LubricantSpec::try_from(table).map(Self)
     }
 }
 

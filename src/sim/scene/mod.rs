@@ -9,12 +9,15 @@
 mod bearing;
 mod cycle;
 mod cycle_file;
+mod cycle_source;
 pub(in crate::sim) mod cycle_table;
 #[cfg(feature = "serde")]
 mod document;
 mod elastic;
 #[cfg(feature = "serde")]
 mod explain;
+#[cfg(feature = "serde")]
+mod explain_output;
 #[cfg(feature = "serde")]
 mod files;
 #[cfg(feature = "serde")]

@@ -10,7 +10,10 @@ use crate::nearest::nearest;
 ///
 /// Sources: ISO 6336-2 (steel, cast steel, cast irons, tin bronze); ISO/TS 16281 (bearing steel); EN 10088-1 (stainless
 /// steel); Schott, data sheet of N-BK7; Munro (1997), Journal of the American Ceramic Society 80, 1919-1928 (sintered
-/// alumina) and Journal of Physical and Chemical Reference Data 26, 1195-1203 (sintered silicon carbide); all others are
+/// alumina) and Journal of Physical and Chemical Reference Data 26, 1195-1203 (sintered silicon carbide); Ratner et al.
+/// (2004), Biomaterials Science, table of metals (cobalt chromium, ASTM F75 cast); Salinas Ruiz et al. (2021), Nature Communications 12, 4550, table 1
+/// (DLC, a-C:H), with the Poisson's ratio of ta-C by Cho et al. (2005), Journal of Micromechanics and Microengineering 15, 728-735; Gent (1958), Rubber
+/// Chemistry and Technology 31, 896-906 (rubbers, by their hardness); all others are
 /// within the ranges of Ashby (2011), Materials Selection in Mechanical Design, appendix A. Moduli of glasses and ceramics
 /// differ by 5 to 10 % between grades, those of polymers by 20 % and with temperature.
 ///
@@ -68,10 +71,18 @@ pub enum NamedMaterial {
     Pom,
     /// Ultra-high-molecular-weight polyethylene.
     Uhmwpe,
+    /// Nitrile rubber of 70 Shore A.
+    Nbr,
+    /// Fluororubber of 75 Shore A.
+    Fkm,
+    /// Cobalt-chromium-molybdenum alloy of joint implants.
+    Cocr,
+    /// Diamond-like carbon a-C:H, for layers.
+    Dlc,
 }
 
 /// Names, Young's moduli \[Pa\] and Poisson's ratios.
-const NAMED: [(NamedMaterial, &str, f64, f64); 18] = [
+const NAMED: [(NamedMaterial, &str, f64, f64); 22] = [
     (NamedMaterial::Steel, "steel", 206e9, 0.3),
     (NamedMaterial::BearingSteel, "bearing_steel", 207e9, 0.3),
     (NamedMaterial::StainlessSteel, "stainless_steel", 200e9, 0.3),
@@ -90,6 +101,23 @@ const NAMED: [(NamedMaterial, &str, f64, f64); 18] = [
     (NamedMaterial::Peek, "peek", 3.7e9, 0.4),
     (NamedMaterial::Pom, "pom", 2.8e9, 0.38),
     (NamedMaterial::Uhmwpe, "uhmwpe", 0.75e9, 0.46),
+    (NamedMaterial::Nbr, "nbr", 5.5e6, 0.499),
+    (NamedMaterial::Fkm, "fkm", 7.1e6, 0.499),
+    (NamedMaterial::Cocr, "cocr", 210e9, 0.3),
+    (NamedMaterial::Dlc, "dlc", 259e9, 0.17),
+];
+
+/// Chemical formulas and common names, and the names that they stand for.
+const SYNONYMS: [(&str, &str); 9] = [
+    ("si3n4", "silicon_nitride"),
+    ("sic", "silicon_carbide"),
+    ("al2o3", "alumina"),
+    ("wc", "tungsten_carbide"),
+    ("100cr6", "bearing_steel"),
+    ("viton", "fkm"),
+    ("nitrile", "nbr"),
+    ("cocrmo", "cocr"),
+    ("aluminum", "aluminium"),
 ];
 
 impl NamedMaterial {
@@ -119,9 +147,13 @@ impl fmt::Display for NamedMaterial {
 impl FromStr for NamedMaterial {
     type Err = InputError;
 
-    /// The material with this name, in letters of any case; spaces and hyphens count as underscores.
+    /// The material with this name or chemical formula (`si3n4`), in letters of any case; spaces and hyphens count as underscores.
     fn from_str(name: &str) -> Result<Self, InputError> {
         let plain = name.trim().to_lowercase().replace([' ', '-'], "_");
+        let plain = SYNONYMS
+            .iter()
+            .find(|(synonym, _)| *synonym == plain)
+            .map_or(plain, |(_, known)| (*known).to_owned());
         NAMED.iter().find(|(_, known, ..)| *known == plain).map(|(material, ..)| *material).ok_or_else(|| {
             let near = nearest(&plain, NAMED.iter().map(|(_, known, ..)| *known));
             InputError::Conflict {

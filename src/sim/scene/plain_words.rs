@@ -1,8 +1,13 @@
 //! Messages of the parser in the terms of scene files.
 
 /// Remedies of missing keys, by the words of their message.
-const REMEDIES: [(&str, &str); 2] = [
+const REMEDIES: [(&str, &str); 3] = [
     ("`grid`", "; accuracy = \"2 %\" in [grid] chooses box and cells"),
+    (
+        "missing key `roelands_z`",
+        "; an oil is also given by its data sheet (grade and viscosity_index, or kinematic), or as isoviscous: viscosity = { law = \"barus\", \
+         eta0 = \"18 mPa s\", alpha = 0 }",
+    ),
     (
         "missing key `exposure`",
         "; exposure = \"track\": a point of the track wears while the contact passes, once a round, for coefficients by \

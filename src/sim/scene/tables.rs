@@ -110,9 +110,12 @@ impl GridTable {
     /// Cells, a row or a strip of cells, or an accuracy; a mixture is an error.
     fn into_spec(self) -> Result<GridSpec, String> {
         let Self { across, nx, ny, x, y, accuracy, grows } = self;
+        if accuracy.is_some() && across.is_some() {
+            let reason = "the mesh of a strip is not chosen by `accuracy`: give nx, ny and x in its place, and compare two meshes: double nx and ny";
+            return Err(reason.to_owned());
+        }
         if let Some(accuracy) = accuracy {
             let given = [
-                ("across", across.is_some()),
                 ("nx", nx.is_some()),
                 ("ny", ny.is_some()),
                 ("x", x.is_some()),

@@ -4,8 +4,9 @@ use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{Expectation, ExpectedFilm};
 use stribeck::units::by_size;
 
-use super::Expected;
+use super::cycle::Rows;
 use super::parts::Part;
+use super::{Expected, OilTemperature};
 use crate::output;
 
 /// Largest share of the load on solids in a full film.
@@ -16,22 +17,13 @@ const SPREAD: f64 = 0.2;
 const BOUNDARY: f64 = 0.8;
 
 impl Expected {
-    /// At most 28 lines, in the units of engineers.
-    pub(super) fn to_text(&self) -> String {
-        let hertz = &self.hertz;
-        let mut lines = self.film_lines();
-        lines.extend(self.oil_lines());
-        let half_width = 1e6 * hertz.half_width_x;
-        let size = if self.sim.scene().form.is_line() {
-            format!("{}, half-width {half_width:.1} um", by_size(hertz.force, "N/m"))
-        } else {
-            format!(
-                "{}, half-widths {half_width:.1} x {:.1} um",
-                by_size(hertz.force, "N"),
-                1e6 * hertz.half_width_y
-            )
+    /// At most 28 lines in the units of engineers, with `rows` of a cycle some ten more.
+    pub(super) fn to_text(&self, rows: Option<&Rows>) -> String {
+        let mut lines = match rows {
+            Some(rows) => rows.lines(),
+            None => self.contact_lines(),
         };
-        lines.push(format!("Hertz      {}, {size}", by_size(hertz.pressure, "Pa")));
+        lines.extend(self.oil_lines());
         lines.extend(self.mesh_lines());
         for (command, refusal) in [("solve", &self.refusals.solve), ("run", &self.refusals.run)] {
             lines.push(match refusal {
@@ -46,6 +38,24 @@ impl Expected {
         lines.push(format!("modelled   {}", names(true)));
         lines.push(format!("left out   {} (--json: by which keys)", names(false)));
         lines.join("\n")
+    }
+
+    /// Regime, film, load, friction and the contact of the smooth bodies.
+    pub(super) fn contact_lines(&self) -> Vec<String> {
+        let hertz = &self.hertz;
+        let mut lines = self.film_lines();
+        let half_width = 1e6 * hertz.half_width_x;
+        let size = if self.sim.scene().form.is_line() {
+            format!("{}, half-width {half_width:.1} um", by_size(hertz.force, "N/m"))
+        } else {
+            format!(
+                "{}, half-widths {half_width:.1} x {:.1} um",
+                by_size(hertz.force, "N"),
+                1e6 * hertz.half_width_y
+            )
+        };
+        lines.push(format!("Hertz      {}, {size}", by_size(hertz.pressure, "Pa")));
+        lines
     }
 
     /// Regime, film, load and friction.
@@ -79,7 +89,7 @@ impl Expected {
                 map.regime, map.viscosity_parameter, map.elasticity_parameter, moes.m, moes.l
             ),
             format!(
-                "film       {} in the middle by formula, smooth and flooded{supplied}{lambda}",
+                "film       {} in the middle by the formula of Moes for all regimes, smooth and flooded{supplied}{lambda}",
                 by_size(film.central, "m")
             ),
             format!("load       {}", load_words(film)),
@@ -117,13 +127,16 @@ impl Expected {
         } else {
             String::new()
         };
+        let celsius = oil.temperature - 273.15;
+        let at = match self.temperature {
+            OilTemperature::Without => ", at any temperature".to_owned(),
+            OilTemperature::Stated => format!(" at {celsius:.2} degC"),
+            OilTemperature::Default => {
+                format!(" at {celsius:.2} degC, the default without thermal.bulk_temperature")
+            }
+        };
         let mut lines = vec![
-            format!(
-                "oil        {:.4} mPa s at {:.2} degC: {}",
-                1e3 * oil.eta0,
-                oil.temperature - 273.15,
-                oil.eta0_source
-            ),
+            format!("oil        {:.4} mPa s{at}: {}", 1e3 * oil.eta0, oil.eta0_source),
             format!("           alpha {:.2} 1/GPa: {}{scatter}", 1e9 * oil.alpha, oil.alpha_source),
         ];
         lines.extend(output::kappa(oil));
@@ -142,8 +155,9 @@ impl Expected {
             self.cells(),
             1e-6 * self.memory
         )];
-        let is_strip = matches!(self.sim.scene().grid, GridSpec::Strip { .. });
-        if !self.has_estimate && !is_strip {
+        let scene = self.sim.scene();
+        let has_errors = !matches!(scene.grid, GridSpec::Strip { .. }) && scene.cycle.is_none();
+        if !self.has_estimate && has_errors {
             lines.push(
                 "           `estimate = true` in [solver] estimates its error; `accuracy = 0.01` in place of the cells picks a mesh"
                     .to_owned(),

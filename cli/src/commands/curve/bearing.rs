@@ -99,7 +99,9 @@ pub(super) fn run(options: &Options, bearing: RigidBearing) -> Result<Outcome, B
             if points.is_empty() {
                 output::print(&header(options.over, bearing.roughness.is_some()))?;
             }
-            output::print(&line(options.over, value, &solution.numbers))?;
+            let warned: Vec<&str> = solution.warnings.iter().map(|warning| warning.field.as_str()).collect();
+            let mark = if warned.is_empty() { String::new() } else { format!("  ! {}", warned.join(", ")) };
+            output::print(&(line(options.over, value, &solution.numbers) + &mark))?;
         }
         let mut numbers = serde_json::to_value(solution.numbers)?;
         numbers["over"] = value.into();

@@ -38,19 +38,27 @@ pub(super) fn write(
     };
     let (name, _) = columns.over.label(columns.line).split_once(" (").unwrap_or(("slide-roll ratio", ""));
     let key = columns.over.column(columns.line);
-    let mut table = vec![Number { name, key, unit, factor: 1.0, error: ErrorOf::None }];
+    let mut table = vec![Number { name, key, unit, factor: 1.0, offset: 0.0, error: ErrorOf::None }];
     let ending = if columns.spread { "sd" } else { "error" };
     let errors = QUANTITIES.each_ref().map(|quantity| format!("{}_{ending}", quantity.column));
     for (quantity, error) in QUANTITIES.iter().zip(&errors) {
         let (name, unit) = quantity.label.split_once(" (").unwrap_or((quantity.label, ""));
         let (unit, factor) = (unit.trim_end_matches(')'), quantity.factor);
-        table.push(Number { name, key: quantity.column, unit, factor, error: ErrorOf::Absolute(error) });
+        table.push(Number {
+            name,
+            key: quantity.column,
+            unit,
+            factor,
+            offset: 0.0,
+            error: ErrorOf::Absolute(error),
+        });
     }
     table.push(Number {
         name: "film by formula",
         key: "film_formula_m",
         unit: "nm",
         factor: 1e9,
+        offset: 0.0,
         error: ErrorOf::None,
     });
     report.table(&rows(numbers, "curve", &table, ROWS));

@@ -109,6 +109,8 @@ pub(super) struct Row {
     pub(super) friction_parts: [f64; 2],
     /// Central film of the smooth contact by formula \[m\].
     pub(super) formula: Option<f64>,
+    /// Fields of the warnings of this row.
+    pub(super) warned: Vec<String>,
 }
 
 impl Row {
@@ -131,7 +133,15 @@ impl Row {
             mean_of(|solution| Some(solution.friction.boundary))?,
             mean_of(|solution| Some(solution.friction.fluid))?,
         ];
-        Some(Self { at, surfaces: solutions.len(), model, values, friction_parts, formula })
+        Some(Self {
+            at,
+            surfaces: solutions.len(),
+            model,
+            values,
+            friction_parts,
+            formula,
+            warned: Vec::new(),
+        })
     }
 
     /// Names and values of the columns; a value that is not known is `None`.
@@ -159,7 +169,7 @@ impl Row {
     pub(super) fn csv(&self, columns: Columns) -> String {
         let cells = self.cells(columns).into_iter();
         let texts = cells.map(|(_, value)| value.map_or_else(String::new, |value| format!("{value:e}")));
-        texts.chain([self.model_name().to_owned()]).collect::<Vec<_>>().join(",")
+        texts.chain([self.warned.join(" "), self.model_name().to_owned()]).collect::<Vec<_>>().join(",")
     }
 
     fn model_name(&self) -> &'static str {
@@ -171,6 +181,7 @@ impl Row {
         let model = [
             ("model".to_owned(), Json::from(self.model_name())),
             ("film_formula_m".to_owned(), Json::from(self.formula)),
+            ("warnings".to_owned(), Json::from(self.warned.clone())),
         ];
         Json::Object(cells.chain(model).collect::<Map<_, _>>())
     }
@@ -183,7 +194,9 @@ impl Row {
             let band = value.band().map_or_else(String::new, |band| format!(" +- {}", shown(band)));
             cell(columns, &(shown(value.mean) + &band))
         });
-        format!("{}{}  {}", columns.over.cell(self.at), cells.collect::<String>(), self.model_name())
+        let mark =
+            if self.warned.is_empty() { String::new() } else { format!("  ! {}", self.warned.join(", ")) };
+        format!("{}{}  {}{mark}", columns.over.cell(self.at), cells.collect::<String>(), self.model_name())
     }
 }
 
@@ -196,9 +209,10 @@ pub(super) fn csv_header(columns: Columns) -> String {
         values: [None; QUANTITIES.len()],
         friction_parts: [0.0; 2],
         formula: None,
+        warned: Vec::new(),
     };
     let names = empty.cells(columns).into_iter().map(|(name, _)| name);
-    names.chain(["model".to_owned()]).collect::<Vec<_>>().join(",")
+    names.chain(["warnings".to_owned(), "model".to_owned()]).collect::<Vec<_>>().join(",")
 }
 
 /// The headings of the table on the terminal.

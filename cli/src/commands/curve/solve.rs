@@ -112,7 +112,9 @@ impl Curve<'_> {
         }
         let is_converged = |point: &&Point| point.solution.report.status == Status::Converged;
         let solutions: Vec<_> = points.iter().filter(is_converged).map(|point| &point.solution).collect();
-        if let Some(row) = Row::of(value, &solutions, self.formula(&points, value)) {
+        let warned = warned(&self.scene, &solutions);
+        if let Some(mut row) = Row::of(value, &solutions, self.formula(&points, value)) {
+            row.warned = warned;
             self.write_line(&row.csv(self.columns))?;
             if !self.options.output.json {
                 let is_first = self.rows.is_empty() && self.resolved.is_empty();
@@ -157,6 +159,19 @@ fn solve(
         Some(contact) => contact.solve_under(conditions),
         None => contact.insert(builder.single_contact()?).solve_under(conditions),
     }
+}
+
+/// Fields of the warnings of `solutions` beside those of the `scene`.
+fn warned(scene: &Scene, solutions: &[&ContactSolution]) -> Vec<String> {
+    let known = scene.warnings();
+    let mut fields: Vec<String> = Vec::new();
+    for warning in solutions.iter().flat_map(|solution| &solution.warnings) {
+        let is_known = known.iter().any(|other| other.field == warning.field);
+        if !is_known && !fields.contains(&warning.field) {
+            fields.push(warning.field.clone());
+        }
+    }
+    fields
 }
 
 /// Whether the contact was solved by the resolved model.

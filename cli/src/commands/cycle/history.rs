@@ -38,7 +38,7 @@ pub(super) fn table(cycles: &[CycleRecord], is_line: bool) -> Vec<String> {
 }
 
 /// The same as comma-separated values.
-pub(super) fn csv(cycles: &[CycleRecord]) -> String {
+pub(super) fn csv(cycles: &[CycleRecord], is_line: bool) -> String {
     let lines: String = cycles.iter().map(|cycle| format!("{}\n", cycle.csv())).collect();
-    format!("{}\n{lines}", CycleRecord::COLUMNS)
+    format!("{}\n{lines}", super::columns(CycleRecord::COLUMNS, is_line))
 }

@@ -11,21 +11,28 @@ pub(super) fn largest_squeeze(solution: &CycleSolution) -> Option<&CyclePoint> {
     known.max_by(|a, b| a.squeeze_ratio.unwrap_or(0.0).total_cmp(&b.squeeze_ratio.unwrap_or(0.0)))
 }
 
-/// The warning of a quasi-static cycle whose films change within the passage of a half-width.
+/// The warning of a quasi-static cycle whose films change within the passage of a half-width, or that has rows at rest.
 pub(super) fn squeeze_warning(solution: &CycleSolution) -> Option<String> {
     if !solution.quasi_static {
         return None;
     }
-    let large =
-        solution.points.iter().filter(|point| point.squeeze_ratio.is_none_or(|ratio| ratio > LARGE_SQUEEZE));
-    let count = large.count();
-    largest_squeeze(solution).filter(|_| count > 0).map(|point| {
+    let is_at_rest = |point: &CyclePoint| point.ball_speed + point.disc_speed == 0.0;
+    let is_large = |point: &CyclePoint| {
+        is_at_rest(point) || point.squeeze_ratio.is_some_and(|ratio| ratio > LARGE_SQUEEZE)
+    };
+    let count = solution.points.iter().filter(|point| is_large(point)).count();
+    let largest = match solution.points.iter().find(|point| is_at_rest(point)) {
+        Some(point) => format!("without bound at {}, where the entrainment is zero", super::place(point)),
+        None => {
+            let point = largest_squeeze(solution)?;
+            format!("up to {:.2} at {}", point.squeeze_ratio.unwrap_or(0.0), super::place(point))
+        }
+    };
+    (count > 0).then(|| {
         format!(
-            "cycle.quasi_static: at {count} of {} rows the squeeze term is above {LARGE_SQUEEZE} of the entrainment, up to {:.2} at {}; \
-             without quasi_static the cycle is solved in time",
-            solution.points.len(),
-            point.squeeze_ratio.unwrap_or(0.0),
-            super::place(point)
+            "cycle.quasi_static: at {count} of {} rows the squeeze term, which is left out, is above {LARGE_SQUEEZE} of the entrainment, \
+             {largest}; without quasi_static the cycle is solved in time",
+            solution.points.len()
         )
     })
 }

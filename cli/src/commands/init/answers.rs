@@ -40,18 +40,6 @@ pub(super) struct Answers {
     pub(super) disc: Disc,
 }
 
-impl Options {
-    /// Whether none of the options that describe the contact is given.
-    pub(super) fn is_empty(&self) -> bool {
-        let given =
-            [&self.radius, &self.load, &self.eta0, &self.alpha, &self.speed, &self.roughness, &self.length];
-        given.into_iter().all(Option::is_none)
-            && self.grade.is_none()
-            && (self.slide_roll_ratio, self.cells) == (None, None)
-            && (self.finish, &self.surface) == (None, &None)
-    }
-}
-
 /// The values of the options, and defaults for the rest; with `ask` the answers to questions, which offer those of
 /// `before`.
 pub(super) fn answers(

@@ -20,6 +20,9 @@ const FEWEST_IN_LENGTH: f64 = 3.0;
 const FEWEST_CELLS: u32 = 64;
 const SMOOTH_CELLS: u32 = 128;
 const MOST_CHOSEN: u32 = 512;
+/// Keys of `[grid]` of a strip of a rough line contact: on a single row oil could not flow around asperities.
+pub(super) const STRIP: &str =
+    "across = \"periodic\" # a strip of the contact, five correlation lengths wide\nny = 20\n";
 /// Value of the autocorrelation at which a length is measured, and the length over `L` there.
 const THRESHOLD: f64 = 0.2;
 const LENGTH_AT_THRESHOLD: f64 = 0.836;
@@ -174,7 +177,7 @@ impl Disc {
             Self::Measured(_) => Ok(cells.clamp(f64::from(FEWEST_CELLS), f64::from(MOST_CHOSEN)) as u32),
             _ if cells > f64::from(MOST_CHOSEN) => Err(format!(
                 "a box of {} um takes {cells} cells of a quarter of the correlation length along each side, more than {MOST_CHOSEN}; a longer \
-                 --length, less --load, or --cells {} (at most {MOST_CELLS})",
+                 --length, a smaller load, or --cells {} (at most {MOST_CELLS})",
                 plain(1e6 * size),
                 cells
             )),

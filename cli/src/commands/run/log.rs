@@ -29,6 +29,7 @@ pub(super) struct Log {
     pub(super) records: Vec<StepRecord>,
     last: Option<ContactState>,
     plot: bool,
+    is_line: bool,
     /// Fields of the contacts so far, for the report.
     fields: Option<Fields>,
 }
@@ -73,12 +74,24 @@ impl Log {
         bar.reset_eta();
         let csv = csv.transpose()?;
         let fields = options.report.report.as_ref().map(|_| Fields::many());
-        Ok(Self { bar, steps, folder, csv, failure: None, records, last, plot: options.plot, fields })
+        Ok(Self {
+            bar,
+            steps,
+            folder,
+            csv,
+            failure: None,
+            records,
+            last,
+            plot: options.plot,
+            is_line: sim.scene().form.is_line(),
+            fields,
+        })
     }
 
     /// Means over the last tenth of the steps so far.
     pub(super) fn means(&self) -> HistoryMeans {
-        let mut means = HistoryMeans::new(self.records.last().map_or(0, |record| record.step + 1));
+        let means = HistoryMeans::new(self.records.last().map_or(0, |record| record.step + 1));
+        let mut means = if self.is_line { means.of_line() } else { means };
         self.records.iter().for_each(|record| means.see(record));
         means
     }

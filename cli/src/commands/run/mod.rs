@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use indicatif::ProgressBar;
-use stribeck::sim::{MixedLubricationSim, RunFolder, SimError, StepControl};
+use stribeck::sim::{MixedLubricationSim, RunFolder, SimError, StepControl, StepRecord};
 use stribeck::units::Dimension;
+use stribeck::wear::WearPressure;
 
 use self::log::Log;
 use self::plan::{Plan, plan};
@@ -114,10 +115,24 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if options.json && !(end.is_some() && log.records.is_empty()) {
         output::print(&numbers)?;
     } else if end.is_none() {
-        output::print(&log.means())?;
+        output::print(&format!("{}{}", log.means(), wear_without_contact(&sim, &log.records)))?;
     }
     output::report_files(&files, options.json)?;
     Ok(if end.is_none() { Outcome::Converged } else { Outcome::NotConverged })
+}
+
+/// The line about a scene with wear whose solids touched at no step; empty for others.
+fn wear_without_contact(sim: &MixedLubricationSim, records: &[StepRecord]) -> &'static str {
+    let Some(wear) = sim.scene().wear else { return "" };
+    if records.iter().any(|record| record.contact.load_ratio > 0.0) {
+        return "";
+    }
+    match wear.pressure {
+        WearPressure::Total => {
+            "\nwear by the pressure of the fluid (wear.pressure = \"total\"): solids touched at no step"
+        }
+        _ => "\nno wear: solids touched at no step",
+    }
 }
 
 /// Says where a run goes on that `--resume` asks for, where that is not as its command line reads.

@@ -1,7 +1,7 @@
 //! Rigid bearings: scenes with the table `[given_film]`.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use stribeck::Status;
@@ -9,9 +9,10 @@ use stribeck::sim::scene::BearingSpec;
 use stribeck::sim::{BearingNumbers, BearingSolution, RigidBearing};
 use stribeck::units::by_size;
 
+use super::bearing_profile::profile;
 use super::{Options, write_fields};
 use crate::output::{self, Outcome};
-use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
+use crate::picture;
 use crate::report::{self, Report};
 use crate::{files, interrupt};
 
@@ -30,7 +31,12 @@ pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, 
     let (status, grid) = (solution.film.report.status, solution.film.grid());
     output::warn(&solution.warnings);
     if let Some(path) = &options.fields {
-        let mut fields = vec![("pressure", &solution.film.pressure[..]), ("theta", &solution.film.theta[..])];
+        let film = &solution.film;
+        let mut fields = vec![
+            ("pressure", &film.pressure[..]),
+            ("theta", &film.theta[..]),
+            ("film", &solution.thickness[..]),
+        ];
         fields.extend(solution.film.contact.as_ref().map(|solid| ("contact_pressure", &solid.pressure[..])));
         write_fields(path, &grid, &fields)?;
     }
@@ -39,7 +45,7 @@ pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, 
     numbers["warnings"] = serde_json::to_value(&solution.warnings)?;
     numbers["seconds"] = start.elapsed().as_secs_f64().into();
     numbers["version"] = env!("CARGO_PKG_VERSION").into();
-    let chart = profile(&options.scene, &solution);
+    let chart = profile(&options.scene, bearing, &solution);
     let pictures: Vec<PathBuf> =
         if options.output.plot { picture::write(&chart, out, &picture_name)?.into() } else { Vec::new() };
     if let Some(path) = &options.report.report {
@@ -69,32 +75,6 @@ fn per(bearing: &RigidBearing) -> &'static str {
     }
 }
 
-/// Pressures and film fraction along the motion in the middle of the width.
-fn profile(scene: &Path, solution: &BearingSolution) -> Chart {
-    let (film, grid) = (&solution.film, solution.film.grid());
-    let nodes = grid.nx() * (grid.ny() / 2)..grid.nx() * (grid.ny() / 2 + 1);
-    let line = |name, colour, values: &[f64], factor: f64| Line {
-        name,
-        colour,
-        points: nodes
-            .clone()
-            .enumerate()
-            .filter_map(|(i, node)| values.get(node).map(|value| (1e3 * grid.x(i), factor * value)))
-            .collect(),
-        bands: Vec::new(),
-    };
-    let solids = film.contact.as_ref();
-    let name = if solids.is_some() { "film" } else { "" };
-    let mut pressures = vec![line(name, BLUE, &film.pressure, 1e-6)];
-    pressures.extend(solids.map(|contact| line("solids", VERMILION, &contact.pressure, 1e-6)));
-    let panels = vec![
-        Panel::new("pressure (MPa)", pressures),
-        Panel::new("film fraction", vec![line("", GREEN, &film.theta, 1.0)]),
-    ];
-    let title = format!("{}: profile in the middle of the width", output::stem(scene));
-    Chart { title, x_label: "x along the motion (mm)", x_scale: Scale::Linear, panels, upper: None }
-}
-
 /// The numbers for people.
 fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) -> String {
     let numbers = &solution.numbers;
@@ -105,10 +85,22 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
         format!("; wider by up to {} where the bore deflects", by_size(widening, "m"))
     });
     let mut lines = vec![format!("status     {status}")];
+    if status != Status::Converged {
+        lines.push("result     unknown: the film is not converged; the warnings name the way out".to_owned());
+        lines.extend(oil(bearing, numbers));
+        return lines.join("\n");
+    }
     lines.extend(position(numbers));
     let BearingNumbers { friction_moving, friction_resting, .. } = numbers;
+    let above = numbers.load_above_edges.map_or_else(String::new, |above| {
+        format!("; {} without the least pressure of the edges", force(above))
+    });
     lines.extend([
-        format!("load       {}", force(numbers.load)),
+        if numbers.load >= 0.0 && numbers.friction_coefficient.is_nan() {
+            "load       none".to_owned()
+        } else {
+            format!("load       {}{above}", force(numbers.load))
+        },
         format!("film       least {}{widening}", by_size(numbers.least_film, "m")),
         format!("pressure   at most {}", by_size(numbers.pressure_max, "Pa")),
         format!(
@@ -128,11 +120,7 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
     ]);
     lines.extend(solids(numbers, per));
     lines.extend(flows(bearing, numbers, per));
-    lines.push(format!(
-        "oil        {:.4} mPa s at {:.2} degC",
-        1e3 * numbers.eta0,
-        celsius(numbers.temperature)
-    ));
+    lines.extend(oil(bearing, numbers));
     lines.extend(heat(numbers, per));
     lines.join("\n")
 }
@@ -168,6 +156,24 @@ fn flows(bearing: &RigidBearing, numbers: &BearingNumbers, per: &str) -> Vec<Str
     std::iter::once(format!("{along}{sides}")).chain(holes).collect()
 }
 
+/// Viscosity of the oil, its temperature where it depends on that, and its rise with pressure.
+fn oil(bearing: &RigidBearing, numbers: &BearingNumbers) -> [String; 2] {
+    let at = if bearing.has_thermal_oil() || bearing.heat.is_some() {
+        format!(" at {:.2} degC", celsius(numbers.temperature))
+    } else {
+        ", at any temperature".to_owned()
+    };
+    let ratio = if numbers.viscosity_ratio.is_finite() {
+        format!("; {:.4} times the viscosity at the largest pressure", numbers.viscosity_ratio)
+    } else {
+        String::new()
+    };
+    [
+        format!("oil        {:.4} mPa s{at}", 1e3 * numbers.eta0),
+        format!("alpha      {} 1/GPa{ratio}", output::digits(1e9 * numbers.alpha)),
+    ]
+}
+
 /// The heat balance.
 fn heat(numbers: &BearingNumbers, per: &str) -> Option<String> {
     let [supply, outlet] = [numbers.supply_temperature?, numbers.outlet_temperature?];
@@ -189,8 +195,8 @@ fn celsius(temperature: f64) -> f64 {
 fn position(numbers: &BearingNumbers) -> Option<String> {
     let [towards, across] = numbers.force?;
     Some(format!(
-        "journal    eccentricity {:.4}, attitude {:.2} deg, Sommerfeld number {:.4}; force of the film {towards:.4} N towards the \
-         widest gap, {across:.4} N across",
+        "journal    eccentricity {:.4}, attitude {:.2} deg, Sommerfeld number {:.4} (W psi^2/(L D eta omega)); force of the film \
+         {towards:.4} N towards the widest gap, {across:.4} N across",
         numbers.eccentricity?,
         numbers.attitude?.to_degrees(),
         numbers.sommerfeld?

@@ -233,11 +233,11 @@ const fn scatter(
     factor: f64,
     [key, deviation]: [&'static str; 2],
 ) -> Number<'static> {
-    Number { name, key, unit, factor, error: ErrorOf::Absolute(deviation) }
+    Number { name, key, unit, factor, offset: 0.0, error: ErrorOf::Absolute(deviation) }
 }
 
 const fn plain(name: &'static str, key: &'static str) -> Number<'static> {
-    Number { name, key, unit: "", factor: 1.0, error: ErrorOf::None }
+    Number { name, key, unit: "", factor: 1.0, offset: 0.0, error: ErrorOf::None }
 }
 
 /// Means with their standard deviation over the contacts.
@@ -269,7 +269,14 @@ const NUMBERS: [Number<'static>; 8] = [
     ),
     plain("Contacts", "contacts"),
     plain("Contacts of the start-up", "start_up"),
-    Number { name: "Hertz pressure", key: "hertz.pressure", unit: "GPa", factor: 1e-9, error: ErrorOf::None },
+    Number {
+        name: "Hertz pressure",
+        key: "hertz.pressure",
+        unit: "GPa",
+        factor: 1e-9,
+        offset: 0.0,
+        error: ErrorOf::None,
+    },
 ];
 
 fn write_report(

@@ -1,34 +1,52 @@
 //! Warnings about rigid bearings of scenes.
 
+use super::Warning;
+use super::given_film::{ISOVISCOUS, LARGEST_RISE};
+use super::limits::{negative_index, steep_dimples};
 use super::quantity::OIL_TEMPERATURE;
-use super::{Warning, short};
-use crate::sim::scene::PadRelief;
+use crate::sim::rigid_bearing::BearingNumbers;
+use crate::sim::scene::{OilSpec, PadRelief};
 
-/// Largest depth of dimples over their diameter.
-const STEEPEST_DIMPLE: f64 = 0.1;
-
-/// Warnings about a bearing of a scene with its load and the temperature of its oil: one without load, an oil by its data sheet at a temperature that oils do not have, steep dimples.
+/// Warnings about a solved bearing of a scene: one without load, an oil by its data sheet at a temperature that oils do not have, steep dimples.
 pub(in crate::sim) fn bearing_warnings(
-    (load, temperature): (f64, f64),
-    has_data_sheet: bool,
+    numbers: &BearingNumbers,
+    oil: Option<&OilSpec>,
     relief: Option<&PadRelief>,
 ) -> Vec<Warning> {
-    let idle = (load <= 0.0).then(|| {
-        let message = "the film carries no load: it does not converge in the direction of motion".to_owned();
-        let remedy = "inlet_film above outlet_film, an eccentricity above 0, or a supply pressure".to_owned();
-        Warning::new("load", load, message, remedy)
+    let &BearingNumbers { load, temperature, friction_coefficient, .. } = numbers;
+    let idle = friction_coefficient.is_nan().then(|| {
+        let reason = if load < 0.0 {
+            "the film pulls the surfaces together: its mean pressure is below ambient"
+        } else if relief.is_some() {
+            "the film carries no load: the oil cavitates behind the first dimples and does not reform"
+        } else {
+            "the film carries no load: it does not converge in the direction of motion"
+        };
+        let remedy = if relief.is_some() && load >= 0.0 {
+            "inlet_film above outlet_film, or a cavitation_pressure below ambient"
+        } else {
+            "inlet_film above outlet_film, an eccentricity above 0, or a supply pressure"
+        };
+        Warning::new("load", load, reason.to_owned(), remedy.to_owned())
     });
     let steep = match relief {
-        Some(&PadRelief::Dimples { diameter, depth, .. }) if depth > STEEPEST_DIMPLE * diameter => {
-            let message = format!(
-                "it is {} of the diameter: the Reynolds equation holds for films of small slopes",
-                short((1e3 * depth / diameter).round() / 1e3)
-            );
-            let remedy = "shallower dimples; take load and friction as a guess".to_owned();
-            Some(Warning::new("given_film.dimple_depth", depth, message, remedy))
+        Some(&PadRelief::Dimples { diameter, depth, .. }) => {
+            steep_dimples("given_film.dimple_depth", depth, diameter)
         }
         _ => None,
     };
-    let hot = has_data_sheet.then(|| OIL_TEMPERATURE.check("temperature", temperature)).flatten();
-    [idle, steep, hot].into_iter().flatten().collect()
+    let index = oil.and_then(negative_index);
+    let hot = oil.and_then(|_| OIL_TEMPERATURE.check("temperature", temperature));
+    [idle, steep, hot, index].into_iter().flatten().collect()
+}
+
+/// Warning about a bearing whose film is not converged, with the `numbers` of the last iteration.
+pub(in crate::sim) fn unsolved_bearing(numbers: &BearingNumbers, is_rigid: bool) -> Warning {
+    let message = "the film is not converged: load, friction, flows and power are unknown";
+    if is_rigid && numbers.viscosity_ratio > LARGEST_RISE {
+        let message = format!("{message}; the viscosity rises with pressure between rigid surfaces");
+        return Warning::new("alpha", numbers.alpha, message, ISOVISCOUS.to_owned());
+    }
+    let remedy = "other cells (nx, ny), a lower load or a thicker film".to_owned();
+    Warning::new("status", f64::NAN, message.to_owned(), remedy)
 }

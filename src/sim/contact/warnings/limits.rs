@@ -3,12 +3,15 @@
 use super::{Warning, short};
 use crate::error::InputError;
 use crate::sim::contact::formula::ellipticity;
-use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::OperatingSchedule;
+use crate::sim::scene::{BODIES, OilSpec, Roughness, Scene};
+use crate::surface::Texture;
 
 /// Largest half-width of a contact over the radius: bodies are treated as parabolas and half-spaces.
 const LARGEST_SLOPE: f64 = 0.1;
+/// Largest depth of dimples over their diameter.
+const STEEPEST_DIMPLE: f64 = 0.1;
 /// Range of ellipticities of the formula of Hamrock and Dowson.
 const ELLIPTICITIES: [f64; 2] = [1.0, 8.0];
 /// Largest von Mises stress over the Hertz pressure for circular and line contacts at Poisson's ratio 0.3 (Johnson, K. L.
@@ -23,8 +26,43 @@ pub(super) fn of_models(scene: &Scene) -> Vec<Warning> {
     let heaviest = if scene.schedule.load.is_some() { scene.hertz_under(largest) } else { scene.hertz() };
     let Ok(hertz) = heaviest else { return Vec::new() };
     let formula = scene.hertz().and_then(|at_start| film_formula(scene, &at_start)).ok().flatten();
-    let checks = [slope(scene, &hertz), formula, soft_surface(scene, &hertz), weak_body(scene, &hertz)];
-    checks.into_iter().flatten().collect()
+    let index = scene.lubricant.and_then(|lubricant| negative_index(&lubricant.oil?));
+    let checks =
+        [slope(scene, &hertz), formula, soft_surface(scene, &hertz), weak_body(scene, &hertz), index];
+    checks.into_iter().flatten().chain(dimples(scene)).collect()
+}
+
+/// An oil whose viscosity falls faster with temperature than that of the reference oils of the viscosity index.
+pub(super) fn negative_index(oil: &OilSpec) -> Option<Warning> {
+    let index = oil.viscosity_index.filter(|index| *index < 0.0)?;
+    let message =
+        "the viscosity falls faster with temperature than that of the reference oils of index 0".to_owned();
+    let remedy =
+        "paraffinic mineral oils have about 95; check the data sheet, or give two viscosities".to_owned();
+    Some(Warning::new("lubricant.viscosity_index", index, message, remedy))
+}
+
+/// Dimples of the bodies that are too steep for the Reynolds equation.
+fn dimples(scene: &Scene) -> Vec<Warning> {
+    let bodies = BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
+    let steep = bodies.filter_map(|(name, roughness)| match roughness {
+        Roughness::Texture(Texture::Dimples { radius, depth, .. }) => {
+            steep_dimples(&format!("roughness.{name}.depth"), *depth, 2.0 * radius)
+        }
+        _ => None,
+    });
+    steep.collect()
+}
+
+/// The warning about dimples of a `depth` and a `diameter` \[m\] that are steep.
+pub(super) fn steep_dimples(field: &str, depth: f64, diameter: f64) -> Option<Warning> {
+    (depth > STEEPEST_DIMPLE * diameter).then(|| {
+        let message = format!(
+            "it is {} of the diameter: the Reynolds equation holds for films of small slopes",
+            short((1e3 * depth / diameter).round() / 1e3)
+        );
+        Warning::new(field, depth, message, "shallower dimples; take load and friction as a guess".to_owned())
+    })
 }
 
 /// A contact whose width is comparable to the radii.

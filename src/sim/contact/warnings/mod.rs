@@ -12,11 +12,14 @@ mod quantity;
 mod quasi_static;
 mod rough;
 mod solved;
+mod strip_mesh;
 
 use std::fmt;
 
 #[cfg(feature = "serde")]
-pub(in crate::sim) use bearing::bearing_warnings;
+pub(in crate::sim) use bearing::{bearing_warnings, unsolved_bearing};
+#[cfg(feature = "serde")]
+pub(in crate::sim) use given_film::film_warnings;
 pub use given_film::given_film_warnings;
 pub(in crate::sim) use left_out::{OperatingPoint, left_out};
 pub(in crate::sim) use plausible::{of_own_laws, reject_height_unit, reject_units};
@@ -31,6 +34,7 @@ use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::{BODIES, Scene};
 #[cfg(feature = "formats")]
 use crate::surface::Heights;
+use crate::units::by_size;
 
 /// Share of the Rq of a measured surface that its way onto the grid may cost without a word.
 const LARGEST_LOSS: f64 = 0.1;
@@ -80,12 +84,26 @@ fn number_or_nan<'de, D: serde::Deserializer<'de>>(from: D) -> Result<f64, D::Er
 }
 
 impl fmt::Display for Warning {
-    /// One line: `field = value: message; remedy`, without the value where it is NaN.
+    /// One line: `field = value: message; remedy`, without the value where it is NaN. Films and pressures of solutions have units.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.value.is_nan() {
             return write!(f, "{}: {}; {}", self.field, self.message, self.remedy);
         }
-        write!(f, "{} = {}: {}; {}", self.field, short(self.value), self.message, self.remedy)
+        let value = match output_unit(&self.field) {
+            Some(unit) => by_size(self.value, unit),
+            None => short(self.value),
+        };
+        write!(f, "{} = {value}: {}; {}", self.field, self.message, self.remedy)
+    }
+}
+
+/// The unit of a number of a solution; `None` for keys of scenes, whose numbers are as written, and numbers without unit.
+fn output_unit(field: &str) -> Option<&'static str> {
+    match field {
+        "film" | "film.central" | "film.formula_central" | "roughness.composite_rq" => Some("m"),
+        "pressure.max" => Some("Pa"),
+        _ if DEEP_WEAR.contains(&field) => Some("m"),
+        _ => None,
     }
 }
 

@@ -12,7 +12,7 @@ use stribeck::units::Dimension;
 
 use super::super::{Options as Init, plain, rounded};
 use super::bearing_list::{Bearing, Race, find};
-use super::{Element, LINE_GRID, quantity, rotation, steel};
+use super::{Element, LINE_GRID, USUAL_CELSIUS, quantity, rotation, steel};
 
 /// Load of the heaviest loaded element, in radial loads over the number of elements.
 const STRIBECK: f64 = 5.0;
@@ -69,6 +69,7 @@ pub(super) fn element(options: &Init, name: &str) -> Result<Element, Box<dyn Err
             plain(pitch)
         ),
         is_dry: false,
+        celsius: USUAL_CELSIUS,
         grid,
     })
 }

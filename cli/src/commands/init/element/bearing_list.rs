@@ -157,27 +157,33 @@ fn tenths(length: f64) -> f64 {
     (10.0 * length).round() / 10.0
 }
 
-/// The error for a bearing that is not in the list, with the nearest ones.
+/// The error for a bearing that is not in the list, with those of the nearest bore.
 fn unknown(given: &str, name: &str) -> String {
-    let number = |name: &str| {
-        let digits: String = name.chars().filter(char::is_ascii_digit).collect();
-        digits.parse::<f64>().unwrap_or(f64::MAX)
+    let list = "--bearing knows deep-groove ball bearings 6000 to 6012, 6200 to 6212 and 6300 to 6312, and cylindrical roller bearings NU203 to \
+                NU212";
+    let remedy = "write the radii of another bearing into a scene of one of these";
+    let Some((bore, near)) = nearest_bore(name) else {
+        return format!("--bearing {given:?}: {list}; {remedy}");
     };
-    let is_roller = name.starts_with('N');
-    let names: Vec<String> = estimates().map(|bearing| bearing.name).collect();
-    let mut near: Vec<&String> = names.iter().filter(|known| known.starts_with('N') == is_roller).collect();
-    // The bore code, then the series of diameters.
-    let distance = |known: &str| {
-        let (one, other) = (number(known), number(name));
-        ((one % 100.0) - (other % 100.0)).abs() * 100.0 + 0.01 * ((one % 1000.0) - (other % 1000.0)).abs()
+    format!("--bearing {given:?}: {list}; nearest to its bore of {bore} mm: {}; {remedy}", near.join(", "))
+}
+
+/// The bore by the number in the `name` \[mm\] (ISO 15: its last two digits, times five from 04 on; the last digit alone of three) and the listed
+/// bearings of the nearest bore.
+fn nearest_bore(name: &str) -> Option<(f64, Vec<String>)> {
+    let digits: String =
+        name.chars().skip_while(|c| !c.is_ascii_digit()).take_while(char::is_ascii_digit).collect();
+    let number: usize = digits.parse().ok()?;
+    let bore = match (digits.len(), number % 100) {
+        (3, _) => (number % 10) as f64,
+        (4 | 5, code) => BORES.get(code).copied().unwrap_or(5.0 * code as f64),
+        _ => return None,
     };
-    near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-    let nearest: Vec<&str> = near.iter().take(3).map(|name| name.as_str()).collect();
-    format!(
-        "--bearing {given:?} is not in the list of 6000 to 6012, 6200 to 6212, 6300 to 6312 and NU203 to NU212; the nearest: {}. Of another bearing, \
-         write the radii into a scene of one of these",
-        nearest.join(", ")
-    )
+    let distance = |other: &f64| (other - bore).abs();
+    let (code, _) = BORES.iter().enumerate().min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))?;
+    let ending = format!("{code:02}");
+    let near = estimates().map(|bearing| bearing.name).filter(|known| known.ends_with(&ending)).collect();
+    Some((bore, near))
 }
 
 #[cfg(test)]

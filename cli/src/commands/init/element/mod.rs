@@ -11,6 +11,7 @@ use stribeck::analytic::HertzPoint;
 use stribeck::sim::{MixedLubricationSim, RigidBearing, Scene};
 use stribeck::units::Dimension;
 
+use super::given::{self, OIL};
 use super::{Options as Init, STEEL, answers, oil, plain, rounded};
 use crate::output::{self, Outcome};
 
@@ -19,8 +20,8 @@ const DRY_BOX: f64 = 3.0;
 /// Keys of `[grid]` of line contacts.
 const LINE_GRID: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
 
-/// Options of the oil.
-const OIL: &str = "an oil (--grade, --eta0, --alpha)";
+/// Temperature of the oil in the inlet where no standard names one \[degC\].
+const USUAL_CELSIUS: f64 = 60.0;
 
 /// Options of the elements.
 #[derive(clap::Args)]
@@ -56,6 +57,8 @@ struct Element {
     /// Table of the rolling bearing, or nothing.
     bearing: String,
     is_dry: bool,
+    /// Usual temperature of the oil \[degC\].
+    celsius: f64,
     /// Keys of `[grid]`.
     grid: String,
 }
@@ -79,6 +82,7 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
                 "--speed",
                 "--slide-roll-ratio",
                 "--roughness",
+                "--length",
                 "--finish",
                 OIL,
                 if rough { "--cells" } else { "" },
@@ -109,23 +113,7 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
 
 /// Error for a given option that the element `name`, which takes the load and the `used` options, leaves out.
 fn require_used(options: &Init, name: &str, used: &[&str]) -> Result<(), String> {
-    let given = [
-        ("--radius", options.radius.is_some()),
-        ("--speed", options.speed.is_some()),
-        ("--slide-roll-ratio", options.slide_roll_ratio.is_some()),
-        ("--rotation", options.machine.rotation().is_some()),
-        (OIL, options.grade.is_some() || options.eta0.is_some() || options.alpha.is_some()),
-        ("--roughness", options.roughness.is_some()),
-        ("--finish", options.finish.is_some()),
-        ("--surface", options.surface.is_some()),
-        ("--cells", options.cells.is_some()),
-    ];
-    match given.iter().find(|(option, is_given)| *is_given && !used.contains(option)) {
-        None => Ok(()),
-        Some((option, _)) => Err(format!(
-            "{option} has no effect on the scene of {name}; leave it out, and change the key in the scene file"
-        )),
-    }
+    given::require_used(options, name, &[used, &["--load"]].concat())
 }
 
 /// The text of a quantity: that of the option `key`, or the usual one; and its value.
@@ -159,8 +147,18 @@ fn oil_tables(options: &Init, grade: &str, celsius: f64) -> Result<String, Box<d
 
 /// The scene file of `element`.
 fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
-    let Element { title, form, materials: [ball, disc], load, motion, boundary, bearing, is_dry, grid } =
-        element;
+    let Element {
+        title,
+        form,
+        materials: [ball, disc],
+        load,
+        motion,
+        boundary,
+        bearing,
+        is_dry,
+        celsius,
+        grid,
+    } = element;
     let bodies = format!(
         "{title}# `stribeck check` lists the contact, `stribeck solve` solves it. Every key: docs/scene.md.\n\n[form]\n{form}\n\
          [materials.ball]\nmaterial = \"{ball}\"\n\n[materials.disc]\nmaterial = \"{disc}\"\n\n[load]\n{load}\n[motion]\n{motion}\n"
@@ -171,7 +169,7 @@ fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
         format!(
             "{}\n[friction]\nboundary_coefficient = {boundary} # where solids touch\neyring_stress = \"5 MPa\" # shear stress above which the oil \
              thins\n",
-            oil_tables(options, "ISO VG 68", 60.0)?
+            oil_tables(options, "ISO VG 68", *celsius)?
         )
     };
     Ok(format!("{bodies}{oil}{bearing}\n[grid]\n{grid}"))
@@ -207,6 +205,8 @@ fn journal(options: &Init) -> Result<String, Box<dyn Error>> {
     let (load, _) = quantity(Dimension::Force, "--load", options.load.as_ref(), "2 kN")?;
     let rotation = rotation(options, 3000.0)?;
     let oil = oil_tables(options, "ISO VG 32", 50.0)?;
+    let isoviscous = "\nalpha = 0 # isoviscous: rigid surfaces with a piezoviscous oil overestimate pressure and film\n\n[thermal]";
+    let oil = if oil.contains("grade") { oil.replacen("\n\n[thermal]", isoviscous, 1) } else { oil };
     let heat = if oil.contains("[thermal]") {
         "supply_temperature = \"40 degC\" # heat balance: the oil has the mean of supply and outlet, in place of thermal.bulk_temperature\n"
     } else {

@@ -6,10 +6,12 @@ use std::f64::consts::TAU;
 use stribeck::units::Dimension;
 
 use super::super::{Options as Init, plain};
-use super::{Element, LINE_GRID, OIL, quantity, rotation, round_grid, steel};
+use super::{Element, LINE_GRID, OIL, USUAL_CELSIUS, quantity, rotation, round_grid, steel};
 
 /// Effective modulus of steel on glass \[Pa\].
 const GLASS: f64 = 117e9;
+/// Temperature of the oil in ASTM D4172 \[degC\].
+const D4172_CELSIUS: f64 = 75.0;
 
 /// Test rigs with usual specimens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -84,6 +86,7 @@ fn ball(
         boundary: 0.115,
         bearing: String::new(),
         is_dry: false,
+        celsius: USUAL_CELSIUS,
         grid: round_grid([metres, force], modulus, false)?,
     })
 }
@@ -104,6 +107,7 @@ fn pin_on_disc(options: &Init) -> Result<Element, Box<dyn Error>> {
         boundary: 0.6,
         bearing: String::new(),
         is_dry: true,
+        celsius: USUAL_CELSIUS,
         grid: round_grid([radius, force], steel(), true)?,
     })
 }
@@ -132,6 +136,7 @@ fn twin_disc(options: &Init) -> Result<Element, Box<dyn Error>> {
         boundary: 0.115,
         bearing: String::new(),
         is_dry: false,
+        celsius: USUAL_CELSIUS,
         grid: LINE_GRID.to_owned(),
     })
 }
@@ -146,7 +151,9 @@ fn four_ball(options: &Init) -> Result<Element, Box<dyn Error>> {
     Ok(Element {
         title: format!(
             "# A four-ball test: one of three contacts of a steel ball of 1/2 inch that turns at {rotation} rpm under {load} (ASTM D4172,\n\
-             # method A: 147 N, 1200 rpm, 75 degC). Each contact has the load over sqrt(6), at the radius over sqrt(3) from the axis.\n"
+             # method A: 147 N, 1200 rpm, 75 degC). Each contact has the load over sqrt(6), at the radius over sqrt(3) from the axis. The\n\
+             # rotating ball passes three contacts in a turn, each ball at rest has one: friction torque and wear of the rotating ball are\n\
+             # three times those of one contact.\n"
         ),
         form: format!("kind = \"sphere\"\nradii = [{radius_text}, {radius_text}]\n"),
         materials: ["steel"; 2],
@@ -155,6 +162,7 @@ fn four_ball(options: &Init) -> Result<Element, Box<dyn Error>> {
         boundary: 0.115,
         bearing: String::new(),
         is_dry: false,
+        celsius: D4172_CELSIUS,
         grid: round_grid([0.5 * radius, force / 6.0_f64.sqrt()], steel(), false)?,
     })
 }

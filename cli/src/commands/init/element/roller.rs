@@ -6,14 +6,12 @@ use stribeck::sim::Scene;
 use stribeck::units::Dimension;
 
 use super::super::answers::disc;
-use super::super::disc::Disc;
+use super::super::disc::{Disc, STRIP};
 use super::super::{HARDNESS, Options as Init, plain, rounded};
-use super::{Element, LINE_GRID, quantity, text};
+use super::{Element, LINE_GRID, USUAL_CELSIUS, quantity, text};
 
 /// Ends of the box of a rough roller before and behind the middle, in half-widths.
 const ENDS: [f64; 2] = [3.5, 1.7];
-/// Cells across the strip, whose width is five correlation lengths.
-const ROWS: usize = 20;
 
 /// The scene of a smooth roller, or of a rough one as a strip: on a single row oil could not flow around asperities.
 pub(super) fn element(options: &Init) -> Result<Element, Box<dyn Error>> {
@@ -26,8 +24,7 @@ pub(super) fn element(options: &Init) -> Result<Element, Box<dyn Error>> {
     let [inlet, outlet] = ENDS.map(|reach| rounded(reach * half_width));
     let cells = disc.cells(options.cells, inlet + outlet)?;
     let grid = format!(
-        "across = \"periodic\" # a strip of the roller, five correlation lengths wide\nnx = {cells}\nny = {ROWS}\n\
-         x = [\"-{} um\", \"{} um\"] # the oil flows along +x\n{}",
+        "{STRIP}nx = {cells}\nx = [\"-{} um\", \"{} um\"] # the oil flows along +x\n{}",
         plain(1e6 * inlet),
         plain(1e6 * outlet),
         disc.tables(&options.file, HARDNESS)?
@@ -61,6 +58,7 @@ fn smooth(options: &Init) -> Result<Element, Box<dyn Error>> {
         boundary: 0.115,
         bearing: String::new(),
         is_dry: false,
+        celsius: USUAL_CELSIUS,
         grid: LINE_GRID.to_owned(),
     })
 }

@@ -13,6 +13,9 @@ use stribeck::units::Dimension;
 use super::{Machine, Options, length, number};
 use crate::{files, output};
 
+/// Options of the cam alone.
+pub(super) const OPTIONS: [&str; 6] =
+    ["--base-circle", "--face-width", "--rotation", "--spring-rate", "--preload", "--mass"];
 /// Relative difference of angle steps that counts as equal.
 const EVEN: f64 = 1e-3;
 

@@ -12,6 +12,20 @@ use stribeck::units::Dimension;
 use super::{Machine, Options, length, number};
 use crate::output;
 
+/// Options of the gear alone.
+pub(super) const OPTIONS: [&str; 9] = [
+    "--module",
+    "--teeth",
+    "--pressure-angle",
+    "--shift",
+    "--centre-distance",
+    "--face-width",
+    "--torque",
+    "--rotation",
+    "--load-sharing",
+];
+/// Fewest teeth of a gear.
+const FEWEST_TEETH: u32 = 5;
 /// Rows along the path.
 const ROWS: u32 = 60;
 
@@ -40,9 +54,15 @@ struct Path {
 fn require_no_undercut(teeth: [u32; 2], shift: [f64; 2], angle: f64) -> Result<(), String> {
     for (z, x) in teeth.into_iter().zip(shift) {
         let least = 1.0 - 0.5 * f64::from(z) * angle.sin().powi(2);
-        if z < 5 || !(x >= least && x.is_finite()) {
+        if z < FEWEST_TEETH {
+            return Err(format!("--teeth {z}: a gear needs at least {FEWEST_TEETH} teeth"));
+        }
+        if !(x >= least && x.is_finite()) {
+            let [z1, z2] = teeth;
             return Err(format!(
-                "--teeth {z} with --shift {x}: the gear undercuts; it needs at least 5 teeth and a shift of {least:.4} or more"
+                "--teeth {z1} {z2}: the gear of {z} teeth with the profile shift coefficient {x} undercuts; --shift must be at least \
+                 {:.4} for it",
+                (1e4 * least).ceil() * 1e-4
             ));
         }
     }
@@ -140,6 +160,7 @@ pub(super) fn machine(options: &Options) -> Result<Machine, Box<dyn Error>> {
     let places: Vec<f64> = (0..=ROWS)
         .map(|k| path.ends[0] + (path.ends[1] - path.ends[0]) * f64::from(k) / f64::from(ROWS))
         .collect();
+    let sharing = options.load_sharing.unwrap_or(Sharing::Trapezoid);
     let load = torque / (path.base[0] * width);
     let of = |value: &dyn Fn(f64) -> f64| places.iter().map(|s| value(*s)).collect::<Vec<f64>>();
     Ok(Machine {
@@ -152,7 +173,7 @@ pub(super) fn machine(options: &Options) -> Result<Machine, Box<dyn Error>> {
         reverses: false,
         key: "once = true # a pair of teeth comes into mesh with a steady film".to_owned(),
         places: ("time", of(&|s| (s - path.ends[0]) / (w1 * path.base[0]))),
-        loads: of(&|s| load * path.share(s, options.load_sharing)),
+        loads: of(&|s| load * path.share(s, sharing)),
         speeds: [of(&|s| w1 * s), of(&|s| w2 * (path.line - s))],
         radii: of(&|s| s * (path.line - s) / path.line),
     })

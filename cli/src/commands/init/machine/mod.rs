@@ -11,8 +11,12 @@ use std::path::PathBuf;
 use stribeck::sim::{MixedLubricationSim, Scene};
 use stribeck::units::Dimension;
 
+use super::given::{self, OIL};
 use super::{Options as Init, answers};
 use crate::output::{self, Outcome};
+
+/// Options of the oil, the roughness and the cells, which all machines take.
+const COMMON_OPTIONS: [&str; 5] = [OIL, "--roughness", "--length", "--finish", "--cells"];
 
 /// Options of the machines.
 #[derive(clap::Args)]
@@ -45,8 +49,9 @@ pub(super) struct Options {
     #[arg(long, allow_hyphen_values = true, value_name = "RPM")]
     rotation: Option<f64>,
     /// Load of a pair of teeth where two pairs are in mesh: from a third to two thirds of the load, or half of it
-    #[arg(long, value_enum, default_value_t = gear::Sharing::Trapezoid)]
-    load_sharing: gear::Sharing,
+    /// [default: trapezoid]
+    #[arg(long, value_enum)]
+    load_sharing: Option<gear::Sharing>,
     /// Cam and flat follower with the lift in this file, lines of an angle in degrees and a lift in metres
     #[arg(long, value_name = "FILE", requires_all = ["base_circle", "face_width", "rotation", "spring_rate", "preload", "mass"], conflicts_with = "reciprocating")]
     cam: Option<PathBuf>,
@@ -74,6 +79,27 @@ pub(super) struct Options {
 }
 
 impl Options {
+    /// Names of the options beside those that select a machine, and whether each is given.
+    pub(super) fn given(&self) -> [(&'static str, bool); 15] {
+        [
+            ("--module", self.module.is_some()),
+            ("--teeth", self.teeth.is_some()),
+            ("--pressure-angle", self.pressure_angle.is_some()),
+            ("--shift", self.shift.is_some()),
+            ("--centre-distance", self.centre_distance.is_some()),
+            ("--face-width", self.face_width.is_some()),
+            ("--torque", self.torque.is_some()),
+            ("--rotation", self.rotation.is_some()),
+            ("--load-sharing", self.load_sharing.is_some()),
+            ("--base-circle", self.base_circle.is_some()),
+            ("--spring-rate", self.spring_rate.is_some()),
+            ("--preload", self.preload.is_some()),
+            ("--mass", self.mass.is_some()),
+            ("--stroke", self.stroke.is_some()),
+            ("--frequency", self.frequency.is_some()),
+        ]
+    }
+
     /// Revolutions per minute of the option `--rotation`.
     pub(super) fn rotation(&self) -> Option<f64> {
         self.rotation
@@ -104,18 +130,18 @@ struct Machine {
 /// Writes the scene of the machine that the options describe; `None` without one.
 pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
     let machine = &options.machine;
+    let (name, used): (_, &[&str]) = match (machine.gear, &machine.cam, machine.reciprocating) {
+        (true, ..) => ("--gear", &gear::OPTIONS),
+        (_, Some(_), _) => ("--cam", &cam::OPTIONS),
+        (.., true) => ("--reciprocating", &reciprocating::OPTIONS),
+        _ => return Ok(None),
+    };
+    given::require_used(options, name, &[used, &COMMON_OPTIONS].concat())?;
     let answers = answers::answers(options, false, None)?;
-    let machine = if machine.gear {
-        gear::machine(machine)?
-    } else if machine.cam.is_some() {
-        cam::machine(machine)?
-    } else if machine.reciprocating {
-        reciprocating::machine(machine, &answers)?
-    } else {
-        return match stray(machine) {
-            Some(option) => Err(format!("{option} goes with --gear, --cam or --reciprocating").into()),
-            None => Ok(None),
-        };
+    let machine = match name {
+        "--gear" => gear::machine(machine)?,
+        "--cam" => cam::machine(machine)?,
+        _ => reciprocating::machine(machine, &answers)?,
     };
     let text = scene::text(options, &answers, &machine)?;
     let scene = Scene::from_toml(&text)?;
@@ -127,27 +153,6 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
     }
     output::report_files(std::slice::from_ref(&options.file), options.json)?;
     Ok(Some(Outcome::Converged))
-}
-
-/// An option of a machine.
-fn stray(options: &Options) -> Option<&'static str> {
-    let given = [
-        ("--module", options.module.is_some()),
-        ("--teeth", options.teeth.is_some()),
-        ("--pressure-angle", options.pressure_angle.is_some()),
-        ("--shift", options.shift.is_some()),
-        ("--centre-distance", options.centre_distance.is_some()),
-        ("--face-width", options.face_width.is_some()),
-        ("--torque", options.torque.is_some()),
-        ("--rotation", options.rotation.is_some()),
-        ("--base-circle", options.base_circle.is_some()),
-        ("--spring-rate", options.spring_rate.is_some()),
-        ("--preload", options.preload.is_some()),
-        ("--mass", options.mass.is_some()),
-        ("--stroke", options.stroke.is_some()),
-        ("--frequency", options.frequency.is_some()),
-    ];
-    given.into_iter().find_map(|(option, given)| given.then_some(option))
 }
 
 /// The positive value of the option `key`.

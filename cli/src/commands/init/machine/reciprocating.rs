@@ -6,6 +6,8 @@ use std::f64::consts::TAU;
 use super::super::answers::Answers;
 use super::{Machine, Options, length, number};
 
+/// Options of the ball alone.
+pub(super) const OPTIONS: [&str; 4] = ["--radius", "--load", "--stroke", "--frequency"];
 /// Rows of a period.
 const ROWS: u32 = 120;
 

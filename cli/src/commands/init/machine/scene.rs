@@ -9,7 +9,8 @@ use stribeck::sim::Scene;
 use stribeck::surface::Form;
 
 use super::super::answers::Answers;
-use super::super::{Options, STEEL, oil, plain, rounded};
+use super::super::disc::{Disc, STRIP};
+use super::super::{HARDNESS, Options, STEEL, oil, plain, rounded};
 use super::Machine;
 
 /// Distance of the edges of the box from the middle, in the widest half-width: upstream, and downstream.
@@ -91,7 +92,7 @@ pub(super) fn text(
     )?;
     let shortest = UPSTREAM * half_width;
     let up = longest_inlet(&text, machine)?.max(shortest);
-    text.push_str(&grid(options, machine, half_width, up)?);
+    text.push_str(&grid(options, &answers.disc, machine, half_width, up)?);
     text.push_str(&cycle(machine)?);
     Ok(text)
 }
@@ -110,26 +111,37 @@ fn widest(machine: &Machine, modulus: f64) -> Result<f64, InputError> {
     Ok(half_width)
 }
 
-/// The table `[grid]` of a box that begins at `up` \[m\] before the contact.
-fn grid(options: &Options, machine: &Machine, half_width: f64, up: f64) -> Result<String, fmt::Error> {
-    let (mut text, shortest) = (String::new(), UPSTREAM * half_width);
+/// The table `[grid]` of a box that begins at `up` \[m\] before the contact, and the tables of a rough disc.
+fn grid(
+    options: &Options,
+    disc: &Disc,
+    machine: &Machine,
+    half_width: f64,
+    up: f64,
+) -> Result<String, Box<dyn Error>> {
+    let (mut text, shortest) = ("[grid]\n".to_owned(), UPSTREAM * half_width);
     let down = if machine.reverses { up } else { DOWNSTREAM * half_width };
     let edge = |length: f64| format!("{} um", plain(rounded(length) * 1e6));
-    let usual = if machine.is_line { LINE_CELLS } else { POINT_CELLS };
-    // Cells of a longer box are not wider.
-    let wider = (up + down) / (shortest + if machine.reverses { shortest } else { DOWNSTREAM * half_width });
-    let cells = 2 * (0.5 * wider * f64::from(usual)).ceil() as u32;
-    writeln!(text, "[grid]\nnx = {}", options.cells.unwrap_or(cells))?;
-    if !machine.is_line {
-        writeln!(
-            text,
-            "ny = {}\ny = [\"-{}\", \"{}\"]",
-            options.cells.unwrap_or(POINT_CELLS),
-            edge(up),
-            edge(up)
-        )?;
+    let is_rough = disc.rq() > 0.0;
+    let [along, across] = if is_rough {
+        let [along, across] =
+            [rounded(up) + rounded(down), 2.0 * rounded(up)].map(|size| disc.cells(options.cells, size));
+        [along?, across?]
+    } else {
+        let usual = if machine.is_line { LINE_CELLS } else { POINT_CELLS };
+        // Cells of a longer box are not wider.
+        let shortest = shortest + if machine.reverses { shortest } else { DOWNSTREAM * half_width };
+        let cells = 2 * (0.5 * (up + down) / shortest * f64::from(usual)).ceil() as u32;
+        [options.cells.unwrap_or(cells), options.cells.unwrap_or(POINT_CELLS)]
+    };
+    if machine.is_line && is_rough {
+        text.push_str(STRIP);
     }
-    writeln!(text, "x = [\"-{}\", \"{}\"]\n", edge(up), edge(down))?;
+    writeln!(text, "nx = {along}")?;
+    if !machine.is_line {
+        writeln!(text, "ny = {across}\ny = [\"-{}\", \"{}\"]", edge(up), edge(up))?;
+    }
+    writeln!(text, "x = [\"-{}\", \"{}\"]\n{}", edge(up), edge(down), disc.tables(&options.file, HARDNESS)?)?;
     Ok(text)
 }
 

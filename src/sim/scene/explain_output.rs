@@ -1,0 +1,83 @@
+//! Explanations of numbers that solves and runs write: names in JSON and columns of tables.
+
+use super::explain::{cells, plain, quoted};
+
+/// The pages with the tables of results.
+const PAGES: [(&str, &str); 4] = [
+    ("docs/output.md", include_str!("../../../docs/output.md")),
+    ("docs/given_film.md", include_str!("../../../docs/given_film.md")),
+    ("docs/cycles.md", include_str!("../../../docs/cycles.md")),
+    ("docs/running.md", include_str!("../../../docs/running.md")),
+];
+/// Headings of the first column of these tables.
+const HEADINGS: [&str; 3] = ["field", "column", "result"];
+
+/// The explanation of the result `asked`, as in JSON (`film.lambda`) or as the column of a table (`film_lambda`, `friction_power_W`).
+pub(super) fn output(asked: &str) -> Option<String> {
+    let found = PAGES.iter().filter_map(|(page, content)| row_of(asked, page, content));
+    found.max_by_key(|(length, _)| *length).map(|(_, text)| text)
+}
+
+/// The row of `page` whose name is the longest beginning of `asked`, with the length of the name.
+fn row_of(asked: &str, page: &str, content: &str) -> Option<(usize, String)> {
+    let (mut headings, mut best): (Vec<String>, Option<(usize, String)>) = (Vec::new(), None);
+    for line in content.lines() {
+        let Some(cells) = cells(line) else {
+            headings.clear();
+            continue;
+        };
+        if headings.is_empty() {
+            headings = cells;
+            continue;
+        }
+        let of_results =
+            headings.first().is_some_and(|first| HEADINGS.iter().any(|known| first.starts_with(known)));
+        let Some((names, rest)) = cells.split_first().filter(|_| of_results) else { continue };
+        let matching = quoted(names).into_iter().filter(|name| is_name(asked, name));
+        let Some(name) = matching.max_by_key(String::len) else { continue };
+        if best.as_ref().is_some_and(|(length, _)| *length >= name.len()) {
+            continue;
+        }
+        let named = headings.iter().skip(1).zip(rest).filter(|(_, cell)| !cell.is_empty());
+        let lines: String =
+            named.map(|(heading, cell)| format!("\n  {}: {}", plain(heading), plain(cell))).collect();
+        best = Some((name.len(), format!("result {name}{lines}\n  page: {page}")));
+    }
+    best
+}
+
+/// Whether `asked` is the result `name`, or its column: with underscores in place of dots, and perhaps a unit behind it.
+fn is_name(asked: &str, name: &str) -> bool {
+    let [asked, column] = [asked.to_lowercase(), name.to_lowercase().replace('.', "_")];
+    asked == name.to_lowercase() || asked == column || asked.strip_prefix(&column).is_some_and(is_unit)
+}
+
+/// Whether the end of the name of a column is a unit.
+fn is_unit(ending: &str) -> bool {
+    [
+        "_m", "_nm", "_um", "_pa", "_n", "_w", "_k", "_s", "_rad", "_m2", "_m3", "_m3_s", "_m_s", "_n_per_m",
+        "_w_per_m",
+    ]
+    .contains(&ending)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::output;
+
+    #[test]
+    fn results_are_explained_by_their_names_and_columns() {
+        for (asked, part) in [
+            ("film.lambda", "composite roughness"),
+            ("film_lambda", "film.lambda"),
+            ("pressure_max_Pa", "largest pressure"),
+            ("friction_power_W", "friction force times sliding speed"),
+            ("sommerfeld", "relative clearance"),
+            ("least_film", "docs/given_film.md"),
+        ] {
+            let text = output(asked).unwrap_or_default();
+            assert!(text.contains(part), "{asked}: {text}");
+        }
+        assert!(output("film.lamda").is_none() && output("film_lambda_of_mine").is_none());
+    }
+}
