@@ -114,7 +114,7 @@ fn rough_roller_is_a_strip() {
     assert!(roller["contact"]["load_ratio"].as_f64().unwrap() > 0.01, "{roller}");
     let warnings = roller["warnings"].as_array().unwrap();
     let of_load_ratio = warnings.iter().find(|warning| warning["field"] == "contact.load_ratio").unwrap();
-    assert_eq!(of_load_ratio["remedy"], "compare two meshes: double nx and ny");
+    assert!(of_load_ratio["remedy"].as_str().is_some_and(|remedy| remedy.contains("double nx and ny")));
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
     assert_refused(&["init", "--roller", "--roughness", "0.2 um", text(&path)], &["--length", "missing"]);

@@ -20,7 +20,7 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
         ),
         (
             scene.solver.estimate || scene.solver.accuracy.is_some(),
-            "errors of the mesh (solver.estimate, solver.accuracy) are not estimated; compare two meshes: double nx and ny",
+            "errors of the mesh (solver.estimate, solver.accuracy) are not estimated; compare two meshes: double nx and ny (a file has the same heights on both, a seed has not)",
         ),
     ];
     match found.into_iter().find(|(applies, _)| *applies) {

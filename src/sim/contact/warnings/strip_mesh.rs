@@ -41,7 +41,7 @@ pub(super) fn coarse_strip(scene: &Scene, load_ratio: f64) -> Option<Warning> {
                 short(*MIXED.start()),
                 short(*MIXED.end())
             ),
-            "compare two meshes: double nx and ny".to_owned(),
+            "compare two meshes: double nx and ny; a file has the same heights on both, a seed has not".to_owned(),
         )
     })
 }
