@@ -38,7 +38,7 @@ pub(super) fn solve(
     };
     let mut numbers = bearing.numbers(lubricant, solved.load, Thickness { nodes, least, speed }, &solved);
     let ambient = bearing.edge_pressures.into_iter().fold(f64::INFINITY, f64::min);
-    numbers.load_above_edges = (ambient > 0.0).then(|| solved.load - ambient * length * width);
+    numbers.load_above_edges = (ambient > 0.0).then_some(solved.load - ambient * length * width);
     Ok(BearingSolution { numbers, thickness: nodes.to_vec(), film: solved, warnings })
 }
 
