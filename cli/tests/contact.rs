@@ -175,9 +175,15 @@ fn check_tells_what_to_expect() {
     assert!(!modelled("wear") && !modelled("tribofilm") && modelled("flooded inlet"));
     assert!(modelled("shear of the oil") && !modelled("flow thinning"));
     let report = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
-    for words in
-        ["Hertz", "by formula", "lambda", "32 x 32 cells", "tribofilm, wear", "Newtonian", "lubrication: "]
-    {
+    for words in [
+        "Hertz",
+        "by the formula of Moes",
+        "lambda",
+        "32 x 32 cells",
+        "tribofilm, wear",
+        "Newtonian",
+        "lubrication: ",
+    ] {
         assert!(report.contains(words), "no {words} in {report}");
     }
     assert!(
