@@ -270,7 +270,7 @@ fn unsolved_bearings_have_no_results_and_piezoviscous_oils_warn() {
     let journal = |load: &str, oil: &str| {
         let text = format!(
             "[given_film]\nkind = \"journal\"\ndiameter = \"60 mm\"\nwidth = \"30 mm\"\nclearance = \"60 um\"\nspeed = \"3000 rpm on 60 mm\"\n\
-             load = \"{load}\"\nnx = 90\nny = 16\n[lubricant]\n{oil}[thermal]\nbulk_temperature = \"50 degC\"\n"
+             load = \"{load}\"\nnx = 60\nny = 12\n[lubricant]\n{oil}[thermal]\nbulk_temperature = \"50 degC\"\n"
         );
         RigidBearing::from_toml(&text).unwrap().solve(|| false).unwrap()
     };

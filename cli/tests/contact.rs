@@ -177,7 +177,7 @@ fn check_tells_what_to_expect() {
     let report = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
     for words in [
         "Hertz",
-        "by the formula of",
+        "by the formula of Moes",
         "lambda",
         "32 x 32 cells",
         "tribofilm, wear",

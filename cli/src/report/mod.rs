@@ -3,6 +3,7 @@
 //! Scripts draw pictures that are read off with the pointer (uPlot, in `uplot/` with its licence). Print and readers without
 //! scripts have the pictures of `--plot`.
 
+mod bearing_numbers;
 mod fields;
 mod numbers;
 
@@ -13,8 +14,9 @@ use std::path::Path;
 use serde_json::{Value, json};
 use stribeck::Status;
 
+pub(crate) use self::bearing_numbers::bearing;
 pub(crate) use self::fields::Fields;
-pub(crate) use self::numbers::{ErrorOf, Number, all, bearing, contact, list, rows};
+pub(crate) use self::numbers::{ErrorOf, Number, all, contact, list, rows};
 use crate::picture::{self, Chart, Maps, Scale};
 use crate::{files, output};
 

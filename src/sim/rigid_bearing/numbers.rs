@@ -4,7 +4,7 @@ use super::RigidBearing;
 use crate::lubricant::Lubricant;
 use crate::reynolds::GivenFilmSolution;
 
-/// Load over `eta u L A/h^2` with the mean film h below which it is rounding.
+/// Load over `eta u L A/h^2` with the mean film h up to which it is rounding.
 const NO_LOAD: f64 = 1e-8;
 
 /// Numbers of a solved bearing. A wide pad has forces, flows and power per metre of width.
@@ -99,7 +99,8 @@ impl RigidBearing {
         let (grid, count) = (film.grid(), thickness.nodes.len() as f64);
         let mean = thickness.nodes.iter().sum::<f64>() / count;
         let scale = eta0 * thickness.speed * grid.size_x() / (mean * mean) * grid.size_x() * grid.size_y();
-        let over_load = |value: f64| if load > NO_LOAD * scale { value / load } else { f64::NAN };
+        let load = if load.abs() > NO_LOAD * scale { load } else { 0.0 };
+        let over_load = |value: f64| if load > 0.0 { value / load } else { f64::NAN };
         BearingNumbers {
             load,
             load_above_edges: None,

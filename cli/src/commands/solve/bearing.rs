@@ -96,7 +96,7 @@ fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) ->
         format!("; {} without the least pressure of the edges", force(above))
     });
     lines.extend([
-        if numbers.load >= 0.0 && numbers.friction_coefficient.is_nan() {
+        if numbers.load == 0.0 {
             "load       none".to_owned()
         } else {
             format!("load       {}{above}", force(numbers.load))

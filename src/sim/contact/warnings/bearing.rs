@@ -13,21 +13,17 @@ pub(in crate::sim) fn bearing_warnings(
     oil: Option<&OilSpec>,
     relief: Option<&PadRelief>,
 ) -> Vec<Warning> {
-    let &BearingNumbers { load, temperature, friction_coefficient, .. } = numbers;
-    let idle = friction_coefficient.is_nan().then(|| {
-        let reason = if load < 0.0 {
+    let &BearingNumbers { load, temperature, .. } = numbers;
+    let idle = (load <= 0.0).then(|| {
+        let message = if load < 0.0 {
             "the film pulls the surfaces together: its mean pressure is below ambient"
         } else if relief.is_some() {
-            "the film carries no load: the oil cavitates behind the first dimples and does not reform"
+            "the film carries no load: it cavitates behind its first dimples, or its pressures cancel"
         } else {
             "the film carries no load: it does not converge in the direction of motion"
         };
-        let remedy = if relief.is_some() && load >= 0.0 {
-            "inlet_film above outlet_film, or a cavitation_pressure below ambient"
-        } else {
-            "inlet_film above outlet_film, an eccentricity above 0, or a supply pressure"
-        };
-        Warning::new("load", load, reason.to_owned(), remedy.to_owned())
+        let remedy = "inlet_film above outlet_film, an eccentricity above 0, or a supply pressure".to_owned();
+        Warning::new("load", load, message.to_owned(), remedy)
     });
     let steep = match relief {
         Some(&PadRelief::Dimples { diameter, depth, .. }) => {

@@ -42,8 +42,11 @@ pub(super) fn negative_index(oil: &OilSpec) -> Option<Warning> {
     Some(Warning::new("lubricant.viscosity_index", index, message, remedy))
 }
 
-/// Dimples of the bodies that are too steep for the Reynolds equation.
+/// Dimples of the bodies of a lubricated contact that are too steep for the Reynolds equation.
 fn dimples(scene: &Scene) -> Vec<Warning> {
+    if !scene.is_lubricated() {
+        return Vec::new();
+    }
     let bodies = BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
     let steep = bodies.filter_map(|(name, roughness)| match roughness {
         Roughness::Texture(Texture::Dimples { radius, depth, .. }) => {
