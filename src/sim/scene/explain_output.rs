@@ -78,6 +78,6 @@ mod tests {
             let text = output(asked).unwrap_or_default();
             assert!(text.contains(part), "{asked}: {text}");
         }
-        assert!(output("film.lamda").is_none() && output("film_lambda_of_mine").is_none());
+        assert!(output("film.nothing").is_none() && output("film_lambda_of_mine").is_none());
     }
 }
