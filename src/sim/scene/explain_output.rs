@@ -14,7 +14,8 @@ const HEADINGS: [&str; 3] = ["field", "column", "result"];
 
 /// The explanation of the result `asked`, as in JSON (`film.lambda`) or as the column of a table (`film_lambda`, `friction_power_W`).
 pub(super) fn output(asked: &str) -> Option<String> {
-    let found = PAGES.iter().filter_map(|(page, content)| row_of(asked, page, content));
+    // Of names that are equally long that of the first page.
+    let found = PAGES.iter().rev().filter_map(|(page, content)| row_of(asked, page, content));
     found.max_by_key(|(length, _)| *length).map(|(_, text)| text)
 }
 
@@ -32,7 +33,9 @@ fn row_of(asked: &str, page: &str, content: &str) -> Option<(usize, String)> {
         }
         let of_results =
             headings.first().is_some_and(|first| HEADINGS.iter().any(|known| first.starts_with(known)));
-        let Some((names, rest)) = cells.split_first().filter(|_| of_results) else { continue };
+        // Rows that refer to another table have no meaning of their own.
+        let has_meaning = of_results && cells.get(1).is_some_and(|meaning| meaning != "as above");
+        let Some((names, rest)) = cells.split_first().filter(|_| has_meaning) else { continue };
         let matching = quoted(names).into_iter().filter(|name| is_name(asked, name));
         let Some(name) = matching.max_by_key(String::len) else { continue };
         if best.as_ref().is_some_and(|(length, _)| *length >= name.len()) {
