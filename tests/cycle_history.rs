@@ -131,9 +131,9 @@ fn central_film_at_rest_decays_by_the_squeeze_of_a_hertz_contact() {
 /// At rest nothing is entrained: shorter steps leave the film as it is.
 #[test]
 fn film_of_a_contact_at_rest_is_independent_of_the_number_of_steps() {
-    let [few, many] = [120, 720].map(|steps| *solve(stopping(18e-9, 24e-3, steps)).points.last().unwrap());
-    close(few.film_central, many.film_central, 0.005);
-    close(few.film_minimum, many.film_minimum, 0.02);
+    let [few, many] = [360, 1080].map(|steps| *solve(stopping(18e-9, 24e-3, steps)).points.last().unwrap());
+    close(few.film_central, many.film_central, 0.01);
+    close(few.film_minimum, many.film_minimum, 0.03);
 }
 
 /// Steps that are too long for the film that drains are halved; in the end solids carry.
