@@ -23,6 +23,9 @@ pub enum SolverId {
     SemiSystem,
     /// [`Multigrid`](crate::reynolds::Multigrid).
     Multigrid,
+    /// Started by [`Multigrid`](crate::reynolds::Multigrid) and finished by
+    /// [`NewtonKrylov`](crate::reynolds::NewtonKrylov).
+    MultigridThenNewton,
     /// [`Dry`](crate::reynolds::Dry).
     Dry,
     /// [`AsperityInlets`](crate::reynolds::AsperityInlets).
@@ -37,10 +40,11 @@ pub enum SolverId {
 
 impl SolverId {
     /// Solvers of the crate.
-    const OWN: [Self; 7] = [
+    const OWN: [Self; 8] = [
         Self::NewtonKrylov,
         Self::SemiSystem,
         Self::Multigrid,
+        Self::MultigridThenNewton,
         Self::Dry,
         Self::AsperityInlets,
         Self::Auto,
@@ -52,6 +56,7 @@ impl SolverId {
             Self::NewtonKrylov => "newton_krylov",
             Self::SemiSystem => "semi_system",
             Self::Multigrid => "multigrid",
+            Self::MultigridThenNewton => "multigrid+newton_krylov",
             Self::Dry => "dry",
             Self::AsperityInlets => "asperity_inlets",
             Self::Auto => "auto",

@@ -18,8 +18,9 @@ use super::{
 use crate::report::{SolveReport, Status};
 use crate::solver_id::SolverId;
 
-/// Newton's method takes over from multigrid where more than this number of cycles is predicted, which cost more than it
-/// does. It starts from the given state: from that of the cycles it may take hundreds of steps.
+/// Newton's method takes over from multigrid after this number of cycles, which cost more than it does. It starts
+/// from their state if the residual is below this bound, for as many steps at most, and then from the given state: from a
+/// nearly solved one it takes a few steps, or hundreds.
 const HAND_OVER: HandOver = HandOver { cycles: 11, residual: 1.0 };
 
 /// Up to this number of nodes Newton's method needs fewer convolutions than multigrid cycles, and factorization is
@@ -31,9 +32,10 @@ const FEW_NODES: usize = 64 * 64;
 const FILM_OVER_CONTACT: f64 = 10.0;
 
 /// Uses [`Dry`] without a lubricant. Uses [`Multigrid`] if a smooth full film is expected on more than 64 x 64
-/// nodes; [`NewtonKrylov`] follows if the tolerance is not reached, and solves all other contacts. If it does not
+/// nodes; [`NewtonKrylov`] continues if the tolerance is not reached, and solves all other contacts. If it does not
 /// converge and no solids touch, [`SemiSystem`] is tried, which would not converge in solid contact. The report
-/// names the solver whose state was kept and sums the work of all.
+/// names the solver whose state was kept ([`SolverId::MultigridThenNewton`] if Newton's method continued from
+/// multigrid) and sums the work of all.
 ///
 /// A smooth contact whose film by formula is at least ten times the contact film, but whose solids touch on this
 /// mesh, ends as [`Status::MeshTooCoarse`].
@@ -171,12 +173,22 @@ impl Auto {
         if first.status == Status::Converged {
             return Ok(first);
         }
-        // Newton's method begins again.
+        // Newton's method continues a state that is nearly solved, for a few steps, else begins again.
+        let too_coarse = first.status == Status::MeshTooCoarse;
+        let mut before = first;
+        if !too_coarse && before.residual.max() < HAND_OVER.residual {
+            let few = stop.with_max_iterations(stop.max_iterations.min(HAND_OVER.cycles));
+            let mut continued = self.newton.solve(problem, state, &few)?;
+            if continued.status == Status::Converged {
+                continued.solver = SolverId::MultigridThenNewton;
+                return Ok(continued.preceded_by(before));
+            }
+            before = continued.preceded_by(before);
+        }
         if let Some(given) = &self.kept {
             state.clone_from(given);
         }
-        let too_coarse = first.status == Status::MeshTooCoarse;
-        let mut second = self.newton_then_sweeps(problem, state, stop)?.preceded_by(first);
+        let mut second = self.newton_then_sweeps(problem, state, stop)?.preceded_by(before);
         if too_coarse && second.status != Status::Converged {
             second.status = Status::MeshTooCoarse;
         }
