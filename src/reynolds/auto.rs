@@ -188,6 +188,7 @@ impl Auto {
         if let Some(given) = &self.kept {
             state.clone_from(given);
         }
+        // From the given state.
         let mut second = self.newton_then_sweeps(problem, state, stop)?.preceded_by(before);
         if too_coarse && second.status != Status::Converged {
             second.status = Status::MeshTooCoarse;

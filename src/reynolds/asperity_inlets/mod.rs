@@ -130,9 +130,11 @@ impl ContactSolver for AsperityInlets {
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
         self.check(problem, state, stop)?;
+        // The dry contact.
         let report = self.dry.solve(&mut problem.copied().with_lubricant(None), state, stop)?;
         let oil = problem.lubricant.filter(|_| report.residual.is_finite());
         let (mut load_ratio_range, mut has_valley_flow) = (None, None);
+        // The oil that the inlets draw into it.
         if let Some(oil) = oil {
             let must_stop = || problem.deformation.must_stop();
             self.valleys.update(problem.grid(), &state.film, problem.contact_film(), must_stop)?;
@@ -159,11 +161,13 @@ impl AsperityInlets {
         if peak <= 0.0 {
             return None;
         }
+        // Pressures at the edges by the rise of the reduced pressure.
         self.edges.tabulate(oil, peak);
         let stiffness = BEHIND * local_modulus(&*problem.deformation) * contact_film;
         let entrainment = 12.0 * oil.viscosity().viscosity(0.0) * problem.entrainment_speed;
         let inlets =
             Inlets { edges: &self.edges, valleys: &self.valleys, oil, entrainment, contact_film, stiffness };
+        // Fluid and solid pressure of each asperity.
         let field = Field { grid: problem.grid(), pressure: &state.pressure, gap: &state.film };
         self.split.fill(&field, &inlets);
         // Films: contact film in the runs, the dry gap between them, both lifted by the runs that float.

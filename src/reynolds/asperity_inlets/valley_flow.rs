@@ -41,6 +41,7 @@ impl ValleyFlow {
         if self.is_of(&film) {
             return Ok(());
         }
+        // Viscosity and speed are one: the pressure is the rise times twelve.
         let thickness = FilmThickness::from_halves(grid, &film, |near, far, length| {
             half_interval(near, far, length, contact_film)
         })?;

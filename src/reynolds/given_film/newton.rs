@@ -78,6 +78,28 @@ pub(super) fn solve<'a>(
     on_grid(problem, film, speed, (start.as_ref(), problem.imbalance), interrupted)
 }
 
+/// Length of the Newton steps on one grid.
+struct StepLength {
+    /// Share of the whole step.
+    share: f64,
+    /// Residual before the last step.
+    last: f64,
+}
+
+impl StepLength {
+    /// Length of the step from a state with this residual. Steps that oscillate between sets of cavitated cells are
+    /// shortened, until they lead to a new best state.
+    fn after(&mut self, residual: f64, is_best: bool) -> f64 {
+        if is_best {
+            self.share = 1.0_f64.min(2.0 * self.share);
+        } else if residual >= self.last {
+            self.share = SHORTEST.max(0.5 * self.share);
+        }
+        self.last = residual;
+        self.share
+    }
+}
+
 /// Propagates film fractions along the flow, in sweeps over the `rows` in both orders.
 fn propagate(balance: &mut Balance<'_>, unknowns: &mut [f64], rows: usize) {
     balance.update(unknowns);
@@ -110,7 +132,7 @@ fn on_grid<'a>(
     let mut best = (f64::INFINITY, unknowns.clone());
     let mut linear = LinearSolver::new(grid);
     let (mut steps, mut substitutions) = (0, 0);
-    let (mut share, mut last) = (1.0, f64::INFINITY);
+    let mut step_length = StepLength { share: 1.0, last: f64::INFINITY };
     let status = loop {
         if interrupted() {
             return None;
@@ -136,13 +158,7 @@ fn on_grid<'a>(
         // Solve the linear system.
         let solved = residual.is_finite().then(|| linear.solve(&stencil, &outflow, &mut change));
         let Some(count) = solved.flatten() else { break Status::Diverged };
-        // Shorten steps that oscillate between sets of cavitated cells, until they lead to a new best state.
-        if is_best {
-            share = 1.0_f64.min(2.0 * share);
-        } else if residual >= last {
-            share = SHORTEST.max(0.5 * share);
-        }
-        last = residual;
+        let share = step_length.after(residual, is_best);
         for (k, (s, change)) in unknowns.iter_mut().zip(&change).enumerate() {
             *s = balance.moved(k, *s, share * change);
         }

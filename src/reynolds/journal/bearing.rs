@@ -1,7 +1,7 @@
 //! A journal bearing, and the film at one position of its axis.
 
 use super::elastic_bore::ElasticBore;
-use super::feeds::{Bush, Grooves, Holes};
+use super::feeds::{Bush, Grooves, Holes, Supply};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
@@ -149,24 +149,18 @@ impl JournalBearing<'_> {
         let grid = self.grid(attitude)?;
         let supply = self.bush().supply(attitude);
         self.bush().validate_holes(&supply, grid)?;
-        let (land, pressure) = (supply.land, supply.end_pressure);
+        let pressure = supply.end_pressure;
         let film = self.film_thickness(grid, eccentricity, widening)?;
         let speed = self.angular_speed * self.radius;
         let mut solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0])
             .with_edge_pressures([pressure, pressure, 0.0, 0.0])
-            .with_lands(land)
+            .with_lands(supply.land)
             .with_end_hole(supply.end_hole)
             .with_feeds(&supply.feeds)
             .with_roughness(self.roughness)
             .solve_unless(interrupted)?;
-        // Through both lands beside the first groove, `w h^3 p/(12 eta l)`.
         let viscosity = self.lubricant.viscosity().viscosity(0.0);
-        let through_land = match supply.first_groove {
-            Some([middle, width]) if land > 0.0 => {
-                width * self.gap(eccentricity, middle).powi(3) * pressure / (12.0 * viscosity * land)
-            }
-            _ => 0.0,
-        };
+        let through_land = self.flow_through_land(&supply, eccentricity);
         solution.add_side_flow(through_land);
         let [cosine, sine] = self.moments(&solution, &solution.pressure);
         let contact = solution.contact.as_ref();
@@ -199,6 +193,18 @@ impl JournalBearing<'_> {
             film: solution,
             thickness: film.nodes().to_vec(),
         })
+    }
+
+    /// Flow through each of the lands beside the first groove, `w h^3 p/(12 eta l)` \[m^3/s\].
+    fn flow_through_land(&self, supply: &Supply, eccentricity: f64) -> f64 {
+        let viscosity = self.lubricant.viscosity().viscosity(0.0);
+        match supply.first_groove {
+            Some([middle, width]) if supply.land > 0.0 => {
+                width * self.gap(eccentricity, middle).powi(3) * supply.end_pressure
+                    / (12.0 * viscosity * supply.land)
+            }
+            _ => 0.0,
+        }
     }
 
     /// Film of the round bore at the distance `x` from its widest place \[m\].
