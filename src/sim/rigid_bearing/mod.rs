@@ -135,11 +135,17 @@ impl RigidBearing {
             Some(balance) => heat::solve(self, balance, &interrupted)?,
         };
         if solution.film.report.status == Status::Converged {
-            let warnings =
-                bearing_warnings(&solution.numbers, self.lubricant.oil.as_ref(), self.relief.as_ref());
+            let warnings = bearing_warnings(
+                [solution.numbers.load, solution.numbers.temperature],
+                self.lubricant.oil.as_ref(),
+                self.relief.as_ref(),
+            );
             solution.warnings.extend(warnings);
         } else {
-            solution.warnings.push(unsolved_bearing(&solution.numbers, self.bore.is_none()));
+            solution.warnings.push(unsolved_bearing(
+                [solution.numbers.alpha, solution.numbers.viscosity_ratio],
+                self.bore.is_none(),
+            ));
             solution.numbers = solution.numbers.without_results();
         }
         Ok(solution)
