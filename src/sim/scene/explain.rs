@@ -1,6 +1,7 @@
 //! Explanations of keys and warnings from the pages of the book.
 
 use super::explain_output::output;
+use super::markdown::{cells, plain, quoted};
 use crate::error::{InputError, escape};
 use crate::nearest::nearest;
 
@@ -200,35 +201,10 @@ fn warning(text: &str) -> Option<String> {
     Some(format!("warning about {}\n  where: {}\n  page: {}", plain(about), plain(place), WARNINGS.0))
 }
 
-/// Cells of a row of a Markdown table; `None` for another line.
-pub(super) fn cells(line: &str) -> Option<Vec<String>> {
-    let inner = line.trim().strip_prefix('|')?.strip_suffix('|')?;
-    Some(inner.split('|').map(|cell| cell.trim().to_owned()).collect())
-}
-
 /// Names of tables in a heading: `[form]` in backquotes.
 fn bracketed(line: &str) -> Vec<String> {
     let names = quoted(line).into_iter();
     names.filter_map(|name| Some(name.strip_prefix('[')?.strip_suffix(']')?.to_owned())).collect()
-}
-
-/// The words in backquotes.
-pub(super) fn quoted(text: &str) -> Vec<String> {
-    text.split('`').skip(1).step_by(2).map(str::to_owned).collect()
-}
-
-/// Markdown without backquotes and targets of links.
-pub(super) fn plain(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some((before, after)) = rest.split_once("](") {
-        let (label_start, label) = before.rsplit_once('[').unwrap_or((before, ""));
-        out.push_str(label_start);
-        out.push_str(label);
-        rest = after.split_once(')').map_or("", |(_, rest)| rest);
-    }
-    out.push_str(rest);
-    out.replace(['`', '$'], "")
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Explanations of numbers that solves and runs write: names in JSON and columns of tables.
 
-use super::explain::{cells, plain, quoted};
+use super::markdown::{cells, plain, quoted};
 
 /// The pages with the tables of results.
 const PAGES: [(&str, &str); 4] = [

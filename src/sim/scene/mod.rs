@@ -32,6 +32,8 @@ mod load;
 mod lubricant;
 #[cfg(feature = "serde")]
 mod lubricant_table;
+#[cfg(feature = "serde")]
+mod markdown;
 mod materials;
 #[cfg(feature = "serde")]
 mod missing;
