@@ -9,8 +9,7 @@ use crate::reynolds::ReynoldsError;
 const MOST_SOLVES: usize = 60;
 
 /// The solution in `bracket` whose load is `load` within the relative `tolerance`, from a `solution` at one of its ends;
-/// `solve` solves at an eccentricity.
-/// A solution of another load is not converged.
+/// `solve` solves at an eccentricity. A solution of another load is not converged.
 pub(super) fn find_load(
     mut bracket: FalsePosition,
     [load, tolerance]: [f64; 2],

@@ -80,10 +80,10 @@ impl Scene {
         let thinnest = films.iter().min_by(by_film).and_then(named);
         // The first of equal rows.
         let thickest = films.iter().rev().max_by(by_film).and_then(named);
-        let contacts = match (table.quasi_static, table.once) {
-            (true, true) => table.rows.len(),
-            (true, false) => table.rows.len().saturating_sub(1),
-            (false, once) => table.steps + usize::from(once),
+        let contacts = if table.quasi_static {
+            table.distinct_rows().len()
+        } else {
+            table.steps + usize::from(table.once)
         };
         let (rows, rows_at_rest) = (table.rows.len(), table.rows.len() - films.len());
         Ok(thinnest.zip(thickest).map(|(thinnest, thickest)| CycleExtremes {

@@ -18,15 +18,13 @@ pub(super) fn solve(
     table: &CycleTable,
     observer: &mut dyn FnMut(&CyclePoint) -> bool,
 ) -> Result<CycleSolution, SimError> {
-    // The last row of a cycle that repeats is its first one.
-    let count = if table.once { table.rows.len() } else { table.rows.len().saturating_sub(1) };
-    let rows = table.rows.get(..count).unwrap_or_default();
+    let rows = table.distinct_rows();
     require_flow(rows, table)?;
     let length = builder.scene.motion.passage;
     let start = builder.in_motion()?;
     let mut solution = CycleSolution {
         grid: start.grid(),
-        points: Vec::with_capacity(count),
+        points: Vec::with_capacity(rows.len()),
         cycles: Vec::new(),
         quasi_static: true,
         is_moving: true,
@@ -35,7 +33,7 @@ pub(super) fn solve(
         ended_early: None,
         warnings: start.warnings().to_vec(),
     };
-    let mut half_widths = Vec::with_capacity(count);
+    let mut half_widths = Vec::with_capacity(rows.len());
     for row in rows {
         let SolvedPassage { solution: passage, sim, too_small } = match passage_at(&start, row, length) {
             Err(error @ SimError::NotConverged { .. }) if !solution.points.is_empty() => {

@@ -65,6 +65,12 @@ pub(in crate::sim) struct CycleTable {
 }
 
 impl CycleTable {
+    /// The rows without the last one of a cycle that repeats, which is its first one.
+    pub(in crate::sim) fn distinct_rows(&self) -> &[CycleRow] {
+        let count = if self.once { self.rows.len() } else { self.rows.len().saturating_sub(1) };
+        self.rows.get(..count).unwrap_or_default()
+    }
+
     /// Checks the table of `scene`.
     ///
     /// # Errors
