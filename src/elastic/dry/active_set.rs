@@ -2,8 +2,8 @@
 //!
 //! The active set changes between passes, in both directions at once: nodes beyond their pressure bounds
 //! leave the free set, nodes whose gap has the wrong sign enter it. In damped passes only the worst violators
-//! change state, which ends cycles. A uniform correction on the free nodes keeps the load, repeated as long
-//! as bounds are hit.
+//! enter it, and steps end at the first bound, so that the energy decreases from pass to pass: no set comes twice. A uniform
+//! correction on the free nodes keeps the load, repeated as long as bounds are hit.
 
 use super::{DryProblem, DrySolver};
 
@@ -18,7 +18,7 @@ pub(super) enum NodeState {
     Limited,
 }
 
-/// Share of the worst violation from which nodes change state in damped passes.
+/// Share of the worst violation from which nodes become free in damped passes.
 const DAMPING: f64 = 0.5;
 
 impl DrySolver {
@@ -89,25 +89,35 @@ impl DrySolver {
         }
     }
 
-    /// Opens free nodes with tension and sets those above the limit to it. A damped pass changes only those
-    /// with at least half of the worst violation.
-    pub(super) fn enforce_bounds(&mut self, problem: &DryProblem<'_>, pressure: &mut [f64], damped: bool) {
-        let beyond = |k: usize, p: f64| (-p).max(p - problem.limit_of(k));
-        let mut least = 0.0_f64;
-        if damped {
-            for (k, &p) in pressure.iter().enumerate() {
-                if self.state[k] == NodeState::Free {
-                    least = least.max(DAMPING * beyond(k, p));
-                }
-            }
-        }
+    /// Opens free nodes with tension and sets those above the limit to it.
+    pub(super) fn enforce_bounds(&mut self, problem: &DryProblem<'_>, pressure: &mut [f64]) {
         for (k, p) in pressure.iter_mut().enumerate() {
-            let violation = beyond(k, *p);
-            if self.state[k] == NodeState::Free && violation > 0.0 && violation >= least {
-                (self.state[k], *p) =
-                    if *p < 0.0 { (NodeState::Open, 0.0) } else { (NodeState::Limited, problem.limit_of(k)) };
+            match self.state[k] {
+                NodeState::Free if *p < 0.0 => (self.state[k], *p) = (NodeState::Open, 0.0),
+                NodeState::Free if *p > problem.limit_of(k) => {
+                    (self.state[k], *p) = (NodeState::Limited, problem.limit_of(k));
+                }
+                _ => {}
             }
         }
+    }
+
+    /// Largest share of a step of this `length` along the direction that keeps the free nodes within their bounds. Nodes that
+    /// reach their bound there leave the free set.
+    pub(super) fn stop_at_bounds(&mut self, problem: &DryProblem<'_>, pressure: &[f64], length: f64) -> f64 {
+        let share_of = |k: usize, step: f64| {
+            let distance = if step < 0.0 { -pressure[k] } else { problem.limit_of(k) - pressure[k] };
+            // A node that does not move bounds nothing.
+            if step == 0.0 { f64::INFINITY } else { (distance / step).max(0.0) }
+        };
+        let steps = self.free.iter().map(|&k| (k, length * self.direction[k]));
+        let share = steps.clone().map(|(k, step)| share_of(k, step)).fold(1.0, f64::min);
+        if share < 1.0 {
+            for (k, step) in steps.filter(|&(k, step)| share_of(k, step) <= share) {
+                self.state[k] = if step < 0.0 { NodeState::Open } else { NodeState::Limited };
+            }
+        }
+        share
     }
 
     /// Distributes the load deficit evenly over the free nodes, repeatedly where limits are reached.
@@ -117,7 +127,7 @@ impl DrySolver {
             if deficit.abs() <= 1e-14 * target {
                 break;
             }
-            let can_change = |k: usize, p: f64| deficit < 0.0 || p < problem.limit_of(k);
+            let can_change = |k: usize, p: f64| if deficit < 0.0 { p > 0.0 } else { p < problem.limit_of(k) };
             let n = (0..pressure.len())
                 .filter(|&k| self.state[k] == NodeState::Free && can_change(k, pressure[k]))
                 .count();
@@ -132,10 +142,7 @@ impl DrySolver {
             let share = deficit / n as f64;
             for (k, p) in pressure.iter_mut().enumerate() {
                 if self.state[k] == NodeState::Free && can_change(k, *p) {
-                    *p += share;
-                    if deficit > 0.0 {
-                        *p = p.min(problem.limit_of(k));
-                    }
+                    *p = (*p + share).max(0.0).min(problem.limit_of(k));
                 }
             }
         }

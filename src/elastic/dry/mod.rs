@@ -25,8 +25,7 @@ use active_set::NodeState;
 use coarser::Coarser;
 pub use problem::{DryOutcome, DryProblem};
 
-/// Pass after which updates of the active set are damped, to end cycling: only the worst violators change
-/// state.
+/// Pass after which updates of the active set are damped, to end cycling.
 const UNDAMPED_PASSES: u64 = 25;
 /// Stall window: passes within which the gap error must fall by the factor [`SUFFICIENT_DECREASE`].
 const STALL_WINDOW: u64 = 100;
@@ -225,12 +224,12 @@ impl DrySolver {
             }
             let damped = outcome.passes > UNDAMPED_PASSES;
             // open and limited nodes with the wrong gap become free
-            if damped || may_update {
+            if may_update {
                 self.free_violators(level, damped);
             }
             // close the gaps of the free nodes, then enforce bounds and load
             self.relax(problem, deformation, pressure, (parameters.tolerance * scale, damped), outcome)?;
-            self.enforce_bounds(problem, pressure, damped);
+            self.enforce_bounds(problem, pressure);
             self.restore_load(problem, pressure, parameters.target);
         }
         if outcome.gap_error > best {

@@ -5,7 +5,8 @@
 //! makes the direction conjugate to the previous one by means of its computed displacement, not by a quotient
 //! of residuals, which tolerates products in single precision. The energy along `d` is smallest at
 //! `length = sum(r z) / sum(d K d)`. The level of the gaps, the Lagrange multiplier of the load, changes by
-//! `length` times the mean displacement of `d`.
+//! `length` times the mean displacement of `d`. Steps of damped passes end at the first bound that a free node reaches;
+//! it leaves the free set, and directions start anew.
 
 use super::active_set::NodeState;
 use super::{DryOutcome, DryProblem, DrySolver};
@@ -46,11 +47,13 @@ impl DrySolver {
     ) -> Result<(), InputError> {
         let mut level = self.free_mean(&self.gap);
         let mut squared = self.collect_free_nodes(level);
-        let n_free = self.free.len();
-        let goal = (PASS_REDUCTION.powi(2) * squared).max((MARGIN * goal).powi(2) * n_free as f64);
+        let goal = (PASS_REDUCTION.powi(2) * squared).max((MARGIN * goal).powi(2) * self.free.len() as f64);
         let own = deformation.influence(0, 0);
         let (mut curvature, mut shift, mut violation) = (f64::INFINITY, 0.0, 0.0);
-        for step in 0..STEPS_PER_PASS {
+        // Directions start anew at the first step and where a node has left the free set.
+        let mut is_first = true;
+        for _ in 0..STEPS_PER_PASS {
+            let n_free = self.free.len();
             if squared <= goal || n_free < 2 {
                 break;
             }
@@ -64,7 +67,7 @@ impl DrySolver {
             let mean = products.estimate / n_free as f64;
             // direction conjugate to the previous one, regardless of rounding in the products
             let beta =
-                if step == 0 { 0.0 } else { (mean * shift * n_free as f64 - products.overlap) / curvature };
+                if is_first { 0.0 } else { (mean * shift * n_free as f64 - products.overlap) / curvature };
             self.update_direction(mean, beta);
             // its displacement and curvature
             deformation.displacement_single(&self.direction, &mut self.displacement)?;
@@ -75,9 +78,18 @@ impl DrySolver {
                 break;
             }
             // exact line search; the level moves with the mean displacement
-            let length = products.energy / curvature;
+            let mut length = products.energy / curvature;
+            // A damped step ends at the first bound.
+            let share = if damped { self.stop_at_bounds(problem, pressure, length) } else { 1.0 };
+            is_first = share < 1.0;
+            length *= share;
             level += length * shift;
             (squared, violation) = self.advance(problem, pressure, [length, shift, level, own]);
+            if is_first {
+                self.put_on_bounds(problem, pressure);
+                level = self.free_mean(&self.gap);
+                squared = self.collect_free_nodes(level);
+            }
         }
         Ok(())
     }
@@ -98,6 +110,17 @@ impl DrySolver {
             }
         }
         squared
+    }
+
+    /// Pressures of the nodes that have left the free set in this step.
+    fn put_on_bounds(&self, problem: &DryProblem<'_>, pressure: &mut [f64]) {
+        for &k in &self.free {
+            match self.state[k] {
+                NodeState::Free => {}
+                NodeState::Open => pressure[k] = 0.0,
+                NodeState::Limited => pressure[k] = problem.limit_of(k),
+            }
+        }
     }
 
     /// Inner products of a step.
