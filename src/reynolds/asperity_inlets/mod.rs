@@ -47,8 +47,8 @@ struct Field<'a> {
 /// The density `rho` (`rho_1`: that at the edge, relative to that at ambient pressure) reduces the rise, the
 /// elastic deformation of the edge increases it, both as in a straight inlet. Almost no fluid flows by pressure through a film of this thickness, so the
 /// fluid keeps the pressure of the front edge: it carries `min(p, p(q))`, solids the rest. Where `q` exceeds what the
-/// largest pressure of the run needs, the run floats on a film that is `(q/needed)^(3/4)` times the contact film. Films
-/// elsewhere are the dry gap plus the contact film plus the mean lift of the asperities.
+/// largest pressure of the run needs, the run floats on a film that is `(q/needed)^(3/4)` times the contact film, at most
+/// that of the smooth contact ([`LubricatedContact::reference_film`]). Films elsewhere are the dry gap plus the contact film plus the mean lift of the asperities.
 ///
 /// **Valid** for rough steady contacts whose smooth film is below half of the composite Rq, without a lay, with a flooded
 /// inlet. The bodies between the asperities are rigid. Rises are known to about 20 %; where few asperities carry the
@@ -165,8 +165,17 @@ impl AsperityInlets {
         self.edges.tabulate(oil, peak);
         let stiffness = BEHIND * local_modulus(&*problem.deformation) * contact_film;
         let entrainment = 12.0 * oil.viscosity().viscosity(0.0) * problem.entrainment_speed;
-        let inlets =
-            Inlets { edges: &self.edges, valleys: &self.valleys, oil, entrainment, contact_film, stiffness };
+        // No asperity floats above the film of the smooth contact, where it is known.
+        let smooth = Some(problem.reference_film).filter(|film| *film > 0.0);
+        let inlets = Inlets {
+            edges: &self.edges,
+            valleys: &self.valleys,
+            oil,
+            entrainment,
+            contact_film,
+            highest_film: smooth.map_or(f64::INFINITY, |film| film.max(contact_film)),
+            stiffness,
+        };
         // Fluid and solid pressure of each asperity.
         let field = Field { grid: problem.grid(), pressure: &state.pressure, gap: &state.film };
         self.split.fill(&field, &inlets);

@@ -24,6 +24,8 @@ pub(super) struct Inlets<'a> {
     pub(super) entrainment: f64,
     /// Film of solid contact \[m\].
     pub(super) contact_film: f64,
+    /// Largest film of a floating asperity \[m\].
+    pub(super) highest_film: f64,
     /// Pressure of a dry contact one flank length behind its edge over the slope of the flank, `3/8 E' h_c` \[Pa m\].
     pub(super) stiffness: f64,
 }
@@ -119,7 +121,7 @@ impl Split {
     fn share(&mut self, run: &Run, pressure: &[f64], inlets: &Inlets<'_>) {
         let edge = run.edge(inlets.edges, 1.0);
         let lift = (run.rise / inlets.edges.needed_rise(run.peak, run.behind)).powf(LIFT).max(1.0);
-        let film = inlets.contact_film * lift;
+        let film = (inlets.contact_film * lift).min(inlets.highest_film);
         let carried = inlets.oil.at(edge).density;
         // The fluid carries the pressure of the edge, solids the rest.
         for k in run.nodes.clone() {

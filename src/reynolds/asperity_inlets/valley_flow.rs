@@ -9,8 +9,8 @@ use crate::reynolds::{FilmThickness, GivenFilm, ReynoldsError, SideEdges};
 /// Relative change of a film up to which the flow of earlier films holds. The flow errs by three times as much.
 const SAME_FILM: f64 = 1e-3;
 
-/// Largest number of Newton steps on one grid: flows that converge take 4 to 20.
-const MOST_STEPS: u64 = 30;
+/// Largest number of Newton steps on one grid: most flows take 4 to 20, those between worn bodies up to 70.
+const MOST_STEPS: u64 = 100;
 /// Imbalance of the flow over the inflow.
 const IMBALANCE: f64 = 1e-4;
 

@@ -14,8 +14,8 @@ use crate::report::Status;
 
 /// Number of nodes along a side below which it is not halved.
 const COARSEST: usize = 12;
-/// Residual over the inflow at which a coarser grid is converged.
-const COARSE_TOLERANCE: f64 = 1e-6;
+/// Residual over the inflow at which a coarser grid is converged: its cells err by more.
+const COARSE_TOLERANCE: f64 = 1e-2;
 
 /// Sweeps after each step.
 const SWEEPS: usize = 3;
