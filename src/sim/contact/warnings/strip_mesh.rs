@@ -1,4 +1,4 @@
-//! Warning about the mesh of a mixed strip, whose errors are not estimated.
+//! Warning about the mesh of a mixed strip without an error estimate.
 
 use super::{Warning, short};
 use crate::sim::scene::{Scene, ShortestWaves};
@@ -36,12 +36,11 @@ pub(super) fn coarse_strip(scene: &Scene, load_ratio: f64) -> Option<Warning> {
             "contact.load_ratio",
             load_ratio,
             format!(
-                "{cells}: in the mixed regime ({} to {} of the load on solids) load ratio and friction depend on the mesh, whose error is not \
-                 estimated on a strip",
+                "{cells}: in the mixed regime ({} to {} of the load on solids) load ratio and friction depend on the mesh",
                 short(*MIXED.start()),
                 short(*MIXED.end())
             ),
-            "compare two meshes: double nx and ny; a file has the same heights on both, a seed has not".to_owned(),
+            "solver.estimate = true gives the error".to_owned(),
         )
     })
 }
