@@ -349,7 +349,7 @@ fn given_cells_have_one_surface_on_all_meshes() {
         let surface = drawn.with_cells(Some([48, 40]));
         assert_eq!(surface.generate(&box_of(48, 40)).unwrap(), coarse);
         let fine = surface.generate(&box_of(144, 120)).unwrap();
-        let statistics = stribeck::metrics::height_statistics(&fine).unwrap();
+        let statistics = height_statistics(&fine).unwrap();
         // Waves of two cells keep half of their mean square between the nodes.
         assert!((statistics.sq / RQ - 1.0).abs() < 1e-2, "{}", statistics.sq);
         for (k, height) in coarse.iter().enumerate() {
