@@ -92,6 +92,13 @@ impl Grid {
         Self { nx, ny, is_periodic: false, ..*self }
     }
 
+    /// Another mesh of the same box.
+    pub(crate) fn with_cells(&self, nx: usize, ny: usize) -> Self {
+        let (dx, dy) = (self.size_x() / nx as f64, self.size_y() / ny as f64);
+        let (x0, y0) = (self.x0 + 0.5 * (dx - self.dx), self.y0 + 0.5 * (dy - self.dy));
+        Self { nx, ny, dx, dy, x0, y0, ..*self }
+    }
+
     /// Rejects a count of zero, and more nodes than [`Grid::MAX_NODES`].
     fn check(nx: usize, ny: usize) -> Result<(), InputError> {
         InputError::require(nx > 0, "grid.nx", nx as f64, "at least 1")?;

@@ -334,6 +334,57 @@ fn every_kind_is_pinned_by_its_seed() {
     assert!(close, "{found:?} instead of {RECORDED:?}");
 }
 
+/// Of three times as many cells every third node is one of those on which the heights are drawn.
+#[test]
+fn given_cells_have_one_surface_on_all_meshes() {
+    let box_of = |nx: usize, ny: usize| Grid::from_edges(nx, ny, [-3e-5, 6.6e-5], [-4e-5, 4e-5]).unwrap();
+    let skewed = HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 };
+    let fractal = RandomShape::SelfAffine(self_affine(0.8, Synthesis::FilteredNoise));
+    for drawn in [
+        correlated(Autocorrelation::Gaussian, 16e-6, 12e-6, 9),
+        correlated(Autocorrelation::Exponential, 16e-6, 12e-6, 9).with_distribution(skewed),
+        RandomSurface::new(fractal, RQ, 9),
+    ] {
+        let coarse = drawn.generate(&box_of(48, 40)).unwrap();
+        let surface = drawn.with_cells(Some([48, 40]));
+        assert_eq!(surface.generate(&box_of(48, 40)).unwrap(), coarse);
+        let fine = surface.generate(&box_of(144, 120)).unwrap();
+        let statistics = height_statistics(&fine).unwrap();
+        // Waves of two cells keep half of their mean square between the nodes.
+        assert!((statistics.sq / RQ - 1.0).abs() < 1e-2, "{}", statistics.sq);
+        for (k, height) in coarse.iter().enumerate() {
+            let same = fine[(3 * (k / 48) + 1) * 144 + 3 * (k % 48) + 1];
+            assert!((height - same).abs() < 1e-12 * RQ, "{k}: {height:e} {same:e}");
+        }
+        // Fewer cells sample the same heights.
+        let few = surface.generate(&box_of(16, 8)).unwrap();
+        for (k, height) in few.iter().enumerate() {
+            let same = coarse[(5 * (k / 16) + 2) * 48 + 3 * (k % 16) + 1];
+            assert!((height - same).abs() < 1e-12 * RQ, "{k}: {height:e} {same:e}");
+        }
+    }
+}
+
+#[test]
+fn cells_of_a_surface_that_do_not_suit_are_refused() {
+    let surface = correlated(Autocorrelation::Gaussian, 16e-6, 12e-6, 9);
+    let area = Grid::centred(48, 40, 1e-6, 1e-6).unwrap();
+    let row = Grid::centred(48, 1, 1e-6, 1.0).unwrap();
+    let ridges = surface.with_cells(Some([24, 1]));
+    assert_eq!(ridges.generate(&row).unwrap().len(), 48);
+    for (surface, grid, reason) in [
+        (ridges, area, "one row"),
+        (surface.with_cells(Some([24, 20])), row, "one row"),
+        (surface.with_cells(Some([0, 20])), area, "at least 2"),
+        (surface.with_cells(Some([24, 0])), area, "at least 1"),
+        (surface.with_cells(Some([1 << 20, 1 << 20])), area, "at most"),
+        (surface.with_cells(Some([24, 20])).with_boundary(Boundary::Open), area, "periodic"),
+    ] {
+        let error = surface.generate(&grid).unwrap_err().to_string();
+        assert!(error.contains("roughness.cells = [") && error.contains(reason), "{error}");
+    }
+}
+
 #[test]
 fn threads_change_no_bit() {
     let grid = Grid::centred(256, 250, 1e-6, 1e-6).unwrap();

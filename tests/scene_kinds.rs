@@ -187,6 +187,11 @@ fn generated_surfaces_are_taken_by_name() {
         assert!(sim.bodies()[1].initial() == heights, "{keys}");
         assert!(sim.bodies()[1].initial().iter().any(|height| *height != 0.0), "{keys}");
     }
+    let drawn = "kind = \"gaussian\"\nrq = 5e-8\nlength_x = 4e-5\nlength_y = 6e-5\ncells = [24, 32]\n";
+    let scene = Scene::from_toml(&dry(&format!("{DISC}{drawn}"))).unwrap();
+    let Roughness::Random(surface) = &scene.roughness.disc else { panic!("not random") };
+    assert_eq!(surface.cells, Some([24, 32]));
+    assert_eq!(Scene::from_toml(&scene.to_toml().unwrap()).unwrap(), scene);
     // A stated default is the default.
     let plain = "kind = \"gaussian\"\nrq = 5e-8\nlength_x = 4e-5\nlength_y = 6e-5\nheight = \"exact\"\nboundary = \"periodic\"\n";
     let scene = Scene::from_toml(&dry(&format!("{DISC}{plain}"))).unwrap();
@@ -220,6 +225,10 @@ fn generated_surfaces_name_what_does_not_fit() {
         (
             "kind = \"gaussian\"\nrq = 1e-8\nlength_x = 1e-4\nlength_y = 1e-4\nskewness = 2\nkurtosis = 3",
             ["roughness.disc.kurtosis", "skewness 2"],
+        ),
+        (
+            "kind = \"gaussian\"\nrq = 1e-8\nlength_x = 1e-4\nlength_y = 1e-4\ncells = [24, 1]",
+            ["roughness.disc.cells = [24, 1]", "one row"],
         ),
     ] {
         assert_names(&disc(keys), &parts);

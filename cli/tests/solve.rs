@@ -273,7 +273,8 @@ fn strip_is_solved_and_checked_per_metre() {
         "{solved:?} {json:?} {checked:?}"
     );
     let printed = String::from_utf8(solved.stdout).unwrap();
-    for part in ["307.00 kN/m, half-width", "mm^2/s", "% of the area plastic", "on 64 x 32 nodes"] {
+    let sample = "--over roughness.ball.seed=1,1001,2001,3001 --out seeds`";
+    for part in ["307.00 kN/m, half-width", "mm^2/s", "% of the area plastic", "on 64 x 32 nodes", sample] {
         assert!(printed.contains(part), "{part}: {printed}");
     }
     assert!(!printed.contains("500000") && !printed.contains("m^3/s"), "{printed}");

@@ -177,6 +177,7 @@ class RoughnessBall(Numbers):
     height: str
     boundary: str
     seed: int | str
+    cells: list[float]
     hurst: float
     roll_off: float
     longest: float
@@ -204,6 +205,7 @@ class RoughnessDisc(Numbers):
     height: str
     boundary: str
     seed: int | str
+    cells: list[float]
     hurst: float
     roll_off: float
     longest: float

@@ -256,6 +256,7 @@ _OF_KIND = {
 #: Options that are words.
 _WORDS = ("synthesis", "height", "boundary")
 _MOMENTS = ("skewness", "kurtosis")
+_CELLS = "cells"
 _LARGEST_SEED = 2**64 - 1
 
 
@@ -273,7 +274,8 @@ def generate(
     ``length_x``, ``length_y``, where the autocorrelation is 10 % [m] (``length`` for both). Of ``self_affine``: ``hurst``,
     ``roll_off``, ``shortest`` and ``longest`` [m], ``synthesis`` ("filtered_noise" or "random_phase"). Of all: ``skewness`` and
     ``kurtosis``, both or none, ``boundary`` ("periodic" or "open") and ``height`` ("exact": this very surface has ``rq``; "ensemble": the
-    mean over seeds), or ``exact_rq`` (True or False) in its place.
+    mean over seeds), or ``exact_rq`` (True or False) in its place, and ``cells``, the numbers along x and y on which the heights are drawn, so that all
+    grids of one box have one surface.
 
     Raises :class:`~stribeck.InputError` with the option in ``field``.
     """
@@ -291,8 +293,10 @@ def generate(
             taken["height"] = "exact" if truth(name, value) else "ensemble"
         elif name in _WORDS:
             taken[name] = text(name, value)
+        elif name == _CELLS:
+            taken[name] = None if value is None else wholes(f"roughness.{name}", value, 2)
         else:
-            raise unknown("option", name, [*_OPTIONS, *_WORDS, "length", "exact_rq"])
+            raise unknown("option", name, [*_OPTIONS, *_WORDS, _CELLS, "length", "exact_rq"])
     taken = {name: value for name, value in taken.items() if value is not None}
     _belonging(text("kind", kind), taken)
     keys = {"kind": kind, "rq": number("roughness.rq", rq, "m"), "seed": _seed(seed), **taken}

@@ -11,6 +11,7 @@ use rustfft::{Fft, FftPlanner};
 
 use super::error::SurfaceError;
 use super::measured::Heights;
+use crate::error::InputError;
 use crate::grid::Grid;
 
 impl Heights {
@@ -33,24 +34,10 @@ impl Heights {
     /// # Ok::<(), stribeck::surface::SurfaceError>(())
     /// ```
     pub fn resample_fourier(&self, nx: usize, ny: usize) -> Result<Self, SurfaceError> {
-        Grid::centred(nx, ny, 1.0, 1.0)?;
         if self.undefined() > 0 {
             return Err(SurfaceError::Undefined { points: self.undefined() });
         }
-        let mut along_x = Line::new(self.nx, nx);
-        let mut along_y = Line::new(self.ny, ny);
-        let mut rows = Vec::with_capacity(nx * self.ny);
-        for row in self.heights.chunks_exact(self.nx) {
-            along_x.load(row.iter().copied());
-            rows.extend(along_x.transfer().map(|value| value.re));
-        }
-        let mut heights = vec![0.0; nx * ny];
-        for i in 0..nx {
-            along_y.load(rows.iter().skip(i).step_by(nx).copied());
-            for (j, value) in along_y.transfer().enumerate() {
-                heights[j * nx + i] = value.re;
-            }
-        }
+        let heights = resolved_waves(&self.heights, [self.nx, self.ny], [nx, ny])?;
         let finer = |points: usize, nodes: usize| points as f64 / nodes as f64;
         let spacing = self.spacing.map(|[dx, dy]| [dx * finer(self.nx, nx), dy * finer(self.ny, ny)]);
         Ok(Self {
@@ -61,6 +48,46 @@ impl Heights {
             ..Self::new(nx, ny, spacing, heights, None)?
         })
     }
+}
+
+/// The Fourier series of `heights` on `from` cells at the centers of `to` cells of the same box. For fewer cells than
+/// `from`, the middle ones of an odd number along each axis of a mesh that resolves all waves are taken: all meshes
+/// sample one surface.
+pub(crate) fn series_at_nodes(
+    heights: &[f64],
+    from: [usize; 2],
+    [nx, ny]: [usize; 2],
+) -> Result<Vec<f64>, InputError> {
+    let parts = |cells: usize, holding: usize| holding.div_ceil(cells.max(1)) | 1;
+    let (along_x, along_y) = (parts(nx, from[0]), parts(ny, from[1]));
+    let fine = resolved_waves(heights, from, [along_x * nx, along_y * ny])?;
+    let rows = fine.chunks_exact(along_x * nx).skip(along_y / 2).step_by(along_y);
+    Ok(rows.flat_map(|row| row.iter().skip(along_x / 2).step_by(along_x).copied()).collect())
+}
+
+/// The Fourier series of `heights` on `from` cells at the centers of `to` cells, without the waves that these do not
+/// resolve.
+fn resolved_waves(
+    heights: &[f64],
+    [old_nx, old_ny]: [usize; 2],
+    [nx, ny]: [usize; 2],
+) -> Result<Vec<f64>, InputError> {
+    Grid::centred(nx, ny, 1.0, 1.0)?;
+    let mut along_x = Line::new(old_nx, nx);
+    let mut along_y = Line::new(old_ny, ny);
+    let mut rows = Vec::with_capacity(nx * old_ny);
+    for row in heights.chunks_exact(old_nx) {
+        along_x.load(row.iter().copied());
+        rows.extend(along_x.transfer().map(|value| value.re));
+    }
+    let mut resampled = vec![0.0; nx * ny];
+    for i in 0..nx {
+        along_y.load(rows.iter().skip(i).step_by(nx).copied());
+        for (j, value) in along_y.transfer().enumerate() {
+            resampled[j * nx + i] = value.re;
+        }
+    }
+    Ok(resampled)
 }
 
 /// Plan to resample lines of one length to another.
@@ -122,5 +149,27 @@ impl Line {
         }
         self.inverse.process(&mut self.target);
         self.target.iter()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fourier_series_has_equal_heights_on_all_meshes() {
+        // Two waves; eight cells resolve only one of them.
+        let height = |x: f64, y: f64| (6.0 * x + 0.3).cos() + 0.5 * (2.0 * (x - y)).sin();
+        let on = |nx: usize, ny: usize| -> Vec<f64> {
+            let centre = |i: usize, n: usize| std::f64::consts::TAU * (i as f64 + 0.5) / n as f64;
+            (0..nx * ny).map(|k| height(centre(k % nx, nx), centre(k / nx, ny))).collect()
+        };
+        for (nx, ny) in [(8, 7), (16, 14), (32, 28), (9, 20), (4, 3)] {
+            for (found, expected) in
+                series_at_nodes(&on(16, 14), [16, 14], [nx, ny]).unwrap().iter().zip(on(nx, ny))
+            {
+                assert!((found - expected).abs() < 1e-12, "{nx} x {ny}: {found} {expected}");
+            }
+        }
     }
 }

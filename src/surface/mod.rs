@@ -48,6 +48,7 @@ pub use error::SurfaceError;
 pub use form::Form;
 #[cfg(feature = "formats")]
 pub use format::{ReadOptions, read, read_bytes, read_with, write_npy, write_text, write_x3p};
+pub(crate) use fourier_resampling::series_at_nodes;
 pub use generate::generate;
 pub use measured::Heights;
 pub use motion::Offset;

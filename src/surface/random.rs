@@ -4,6 +4,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::amplitudes::{Amplitudes, Mean};
 use super::deviates::{cipher, phase};
+use super::fourier_resampling::series_at_nodes;
 use super::johnson::Johnson;
 use super::patch;
 use super::random_shape::RandomShape;
@@ -109,6 +110,9 @@ pub struct RandomSurface {
     pub distribution: HeightDistribution,
     /// Whether opposite edges match. An open surface is cut out of a larger periodic one.
     pub boundary: Boundary,
+    /// Cells along x and y of the mesh on which the heights are drawn. Other meshes of the same box have the Fourier
+    /// series of these heights at their nodes. `None`: the cells of the grid, another surface on each mesh.
+    pub cells: Option<[usize; 2]>,
 }
 
 with_fields!(RandomSurface {
@@ -118,6 +122,7 @@ with_fields!(RandomSurface {
     with_height height: HeightScale,
     with_distribution distribution: HeightDistribution,
     with_boundary boundary: Boundary,
+    with_cells cells: Option<[usize; 2]>,
 });
 
 impl From<RoughnessSpec> for RandomSurface {
@@ -132,7 +137,7 @@ impl RandomSurface {
     #[must_use]
     pub fn new(shape: RandomShape, rq: f64, seed: u64) -> Self {
         let (height, distribution, boundary) = Default::default();
-        Self { shape, rq, seed, height, distribution, boundary }
+        Self { shape, rq, seed, height, distribution, boundary, cells: None }
     }
 
     /// The surface on `grid` \[m\]. A periodic surface has zero mean.
@@ -146,8 +151,41 @@ impl RandomSurface {
     ///
     /// # Errors
     /// A negative `rq`, lengths that are not positive or exceed the grid, a Hurst exponent or cut-offs out of range, an
-    /// impossible pair of skewness and kurtosis (the error gives the range), a grid with too few nodes.
+    /// impossible pair of skewness and kurtosis (the error gives the range), a grid with too few nodes; `cells` of an open
+    /// surface, of more than [`Grid::MAX_NODES`] nodes, or of one row where the grid has more.
     pub fn generate(&self, grid: &Grid) -> Result<Vec<f64>, InputError> {
+        match self.cells {
+            Some(cells) if cells != [grid.nx(), grid.ny()] => {
+                let heights = self.draw(&self.own_mesh(grid)?)?;
+                series_at_nodes(&heights, cells, [grid.nx(), grid.ny()])
+            }
+            _ => self.draw(grid),
+        }
+    }
+
+    /// The mesh of the box of `grid` on which the heights are drawn.
+    pub(crate) fn own_mesh(&self, grid: &Grid) -> Result<Grid, InputError> {
+        let Some([nx, ny]) = self.cells else { return Ok(*grid) };
+        let conflict = |reason: &str| {
+            Err(InputError::Conflict {
+                field: format!("roughness.cells = [{nx}, {ny}]"),
+                reason: reason.to_owned(),
+            })
+        };
+        if self.boundary == Boundary::Open {
+            return conflict("a Fourier series needs boundary = \"periodic\"");
+        }
+        if (ny == 1) != (grid.ny() == 1) {
+            return conflict("one row of cells belongs to a line contact of one row, and to no other grid");
+        }
+        if nx < 2 || ny < 1 || nx.saturating_mul(ny) > Grid::MAX_NODES {
+            return conflict("at least 2 along x and at least 1 along y, at most 2^26 (67 million) in all");
+        }
+        Ok(grid.with_cells(nx, ny))
+    }
+
+    /// Heights drawn on the cells of `grid`.
+    fn draw(&self, grid: &Grid) -> Result<Vec<f64>, InputError> {
         self.shape.validate(self.rq, self.seed, grid)?;
         let johnson = match self.distribution {
             HeightDistribution::Normal => None,

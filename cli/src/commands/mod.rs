@@ -11,5 +11,6 @@ pub(crate) mod init;
 pub(crate) mod man;
 pub(crate) mod run;
 pub(crate) mod solve;
+mod strip_sample;
 pub(crate) mod surface;
 pub(crate) mod sweep;

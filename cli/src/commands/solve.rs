@@ -18,6 +18,7 @@ use stribeck::sim::{
 use stribeck::{Grid, Status};
 
 use super::contact_pictures::{Seen, maps, profile};
+use super::strip_sample;
 use crate::output::{self, Held, Outcome, Output, ReportFile};
 use crate::report::{self, Fields, Report};
 use crate::{files, interrupt, picture};
@@ -70,6 +71,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         interrupt::listen("the solve ends here")?;
     }
     let oil = scene.oil_numbers().ok().flatten();
+    let sample = strip_sample::note(&scene, &options.scene);
     let hidden = ProgressBar::hidden();
     let builder = MixedLubricationSim::builder(scene).interrupt(move || {
         held.print(&hidden);
@@ -88,7 +90,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         solved => solved.map_err(|error| output::in_scene(&options.scene, &error))?,
     };
     output::warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
-    finish(options, &solution, oil.as_ref(), start.elapsed().as_secs_f64())?;
+    finish(options, &solution, (oil.as_ref(), sample), start.elapsed().as_secs_f64())?;
     Ok(solution.report.status.into())
 }
 
@@ -96,7 +98,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
 fn finish(
     options: &Options,
     solution: &ContactSolution,
-    oil: Option<&OilNumbers>,
+    (oil, sample): (Option<&OilNumbers>, Option<String>),
     seconds: f64,
 ) -> Result<(), Box<dyn Error>> {
     let mut written = Vec::new();
@@ -126,7 +128,8 @@ fn finish(
             )
         });
         let kappa = oil.and_then(output::kappa).map_or_else(String::new, |line| format!("\n{line}"));
-        output::print(&format!("{solution}{scatter}{kappa}\ntime       {seconds:.2} s"))?;
+        let sample = sample.map_or_else(String::new, |note| format!("\nsample     {note}"));
+        output::print(&format!("{solution}{scatter}{kappa}{sample}\ntime       {seconds:.2} s"))?;
     }
     output::report_files(&written, options.output.json)?;
     Ok(())

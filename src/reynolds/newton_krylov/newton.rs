@@ -137,8 +137,9 @@ impl Newton {
         state.approach += prediction.approach_change();
         // Elastic films by one convolution.
         coupled.displace(problem, state)?;
-        // A line contact shifts its approach by the mean rise: one pressure shifts all of its films almost uniformly.
-        if coupled.fluid.grid.ny() == 1 {
+        // A line contact, a strip included, shifts its approach by the mean rise: one pressure shifts all of its films
+        // almost uniformly.
+        if coupled.fluid.grid.ny() == 1 || coupled.fluid.grid.is_strip() {
             let rise = prediction.mean_rise(coupled, state);
             state.approach += rise;
             coupled.elastic_film.iter_mut().for_each(|film| *film -= rise);

@@ -247,6 +247,14 @@ pub(in crate::sim) fn heights(roughness: &Roughness, grid: &Grid, body: &str) ->
     Ok(RoughBody { heights, measured_rq: None, file_warnings: Vec::new() })
 }
 
+/// The mesh of the box of `grid` on which the heights of one body are drawn.
+pub(in crate::sim) fn own_mesh(roughness: &Roughness, grid: &Grid, body: &str) -> Result<Grid, InputError> {
+    match roughness {
+        Roughness::Random(surface) => surface.own_mesh(grid).map_err(|error| of_body(error, body)),
+        _ => Ok(*grid),
+    }
+}
+
 /// Heights of a generated surface.
 fn generated(roughness: &Roughness, grid: &Grid) -> Result<Vec<f64>, InputError> {
     match roughness {

@@ -18,10 +18,6 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
             scene.solver.contact != ContactDefinition::Hard,
             "solver.contact = \"paper\" needs side edges; leave it out",
         ),
-        (
-            scene.solver.estimate || scene.solver.accuracy.is_some(),
-            "errors of the mesh (solver.estimate, solver.accuracy) are not estimated; compare two meshes: double nx and ny (a file has the same heights on both, a seed has not)",
-        ),
     ];
     match found.into_iter().find(|(applies, _)| *applies) {
         Some((_, reason)) => Err(conflict(reason)),

@@ -14,7 +14,7 @@ use crate::sim::contact::film_heat::{self, FilmIteration, SolveContext};
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::laws::Laws;
-use crate::sim::contact::mesh_error::{self, Mesh, require_half, series_at_nodes};
+use crate::sim::contact::mesh_error::{self, Mesh, require_half};
 use crate::sim::contact::model::ContactModel;
 use crate::sim::contact::numbers::Numbers;
 use crate::sim::contact::numbers::is_known;
@@ -23,7 +23,7 @@ use crate::sim::history::placement::Placement;
 use crate::sim::history::yielding::Yielding;
 use crate::sim::scene::Scene;
 use crate::sim::scene::operating_schedule::Conditions;
-use crate::surface::Heights;
+use crate::surface::series_at_nodes;
 
 /// A solved contact: its model, the report, its state, its shear stresses, and pressure limits if any.
 pub(in crate::sim) type Solved<'a> =
@@ -111,9 +111,8 @@ impl HalfMesh {
     /// Transfers the bodies of `fine` to the large cells.
     fn place(&mut self, fine: &Placement, model: &ContactModel) -> Result<(), SimError> {
         let (from, to) = (model.grid, self.model.grid);
-        let heights = model.form_gap.iter().zip(&fine.gap).map(|(form, gap)| form - gap).collect();
-        let series = Heights::new(from.nx(), from.ny(), None, heights, None)?;
-        let heights = series_at_nodes(&series, to.nx(), to.ny())?;
+        let heights: Vec<f64> = model.form_gap.iter().zip(&fine.gap).map(|(form, gap)| form - gap).collect();
+        let heights = series_at_nodes(&heights, [from.nx(), from.ny()], [to.nx(), to.ny()])?;
         for ((gap, form), height) in self.placement.gap.iter_mut().zip(&self.model.form_gap).zip(heights) {
             *gap = form - height;
         }

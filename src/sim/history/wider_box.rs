@@ -61,6 +61,12 @@ impl SimBuilder {
         if bodies.iter().any(|roughness| matches!(roughness, Roughness::File(_))) {
             return refuse("a measured surface is known");
         }
+        if bodies
+            .iter()
+            .any(|roughness| matches!(roughness, Roughness::Random(surface) if surface.cells.is_some()))
+        {
+            return refuse("a surface with given cells is drawn");
+        }
         Ok(())
     }
 }

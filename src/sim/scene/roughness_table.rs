@@ -54,6 +54,8 @@ pub(super) struct CorrelatedTable {
     boundary: Boundary,
     #[serde(default, with = "seed")]
     seed: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cells: Option<[usize; 2]>,
 }
 
 /// A self-affine surface.
@@ -79,6 +81,8 @@ pub(super) struct SelfAffineTable {
     boundary: Boundary,
     #[serde(default, with = "seed")]
     seed: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cells: Option<[usize; 2]>,
 }
 
 /// Dimples; those on a square lattice have no seed.
@@ -141,34 +145,48 @@ impl TryFrom<RoughnessTable> for Roughness {
 
 impl CorrelatedTable {
     fn surface(self, autocorrelation: Autocorrelation) -> Result<Roughness, String> {
-        let Self { rq, length_x, length_y, height, boundary, seed, .. } = self;
+        let Self { rq, length_x, length_y, height, boundary, seed, cells, .. } = self;
         let shape = RandomShape::Correlated { autocorrelation, length_x, length_y };
         let distribution = distribution(self.skewness, self.kurtosis)?;
         let surface = RandomSurface::new(shape, rq, seed);
-        Ok(Roughness::Random(RandomSurface { distribution, height, boundary, ..surface }))
+        Ok(Roughness::Random(RandomSurface { distribution, height, boundary, cells, ..surface }))
     }
 
     fn of(surface: RandomSurface, [length_x, length_y]: [f64; 2]) -> Self {
-        let RandomSurface { rq, height, boundary, seed, .. } = surface;
+        let RandomSurface { rq, height, boundary, seed, cells, .. } = surface;
         let (skewness, kurtosis) = moments(surface.distribution);
-        Self { rq, length_x, length_y, skewness, kurtosis, height, boundary, seed }
+        Self { rq, length_x, length_y, skewness, kurtosis, height, boundary, seed, cells }
     }
 }
 
 impl SelfAffineTable {
     fn surface(self) -> Result<Roughness, String> {
-        let Self { rq, hurst, roll_off, longest, shortest, synthesis, height, boundary, seed, .. } = self;
+        let Self { rq, hurst, roll_off, longest, shortest, synthesis, height, boundary, seed, cells, .. } =
+            self;
         let shape = RandomShape::SelfAffine(SelfAffine { hurst, longest, roll_off, shortest, synthesis });
         let distribution = distribution(self.skewness, self.kurtosis)?;
         let surface = RandomSurface::new(shape, rq, seed);
-        Ok(Roughness::Random(RandomSurface { distribution, height, boundary, ..surface }))
+        Ok(Roughness::Random(RandomSurface { distribution, height, boundary, cells, ..surface }))
     }
 
     fn of(surface: RandomSurface, spectrum: SelfAffine) -> Self {
-        let RandomSurface { rq, height, boundary, seed, .. } = surface;
+        let RandomSurface { rq, height, boundary, seed, cells, .. } = surface;
         let SelfAffine { hurst, longest, roll_off, shortest, synthesis } = spectrum;
         let (skewness, kurtosis) = moments(surface.distribution);
-        Self { rq, hurst, roll_off, longest, shortest, synthesis, skewness, kurtosis, height, boundary, seed }
+        Self {
+            rq,
+            hurst,
+            roll_off,
+            longest,
+            shortest,
+            synthesis,
+            skewness,
+            kurtosis,
+            height,
+            boundary,
+            seed,
+            cells,
+        }
     }
 }
 

@@ -161,7 +161,11 @@ fn piece_at(solution: &Mesh<'_>, x: f64, y: f64) -> Option<usize> {
         let share = 0.5 * (1.0 + share / CENTRAL);
         ((share * PIECES as f64) as usize).min(PIECES - 1)
     };
-    let [first, second] = ellipse.normalised(x, y);
+    let [first, mut second] = ellipse.normalised(x, y);
+    if solution.grid.is_strip() {
+        // The region of a strip is its whole width.
+        second = CENTRAL * (2.0 * (y - solution.grid.y(0)) / solution.grid.size_y() - 1.0);
+    }
     is_central(x, y, &ellipse).then(|| along(second) * PIECES + along(first))
 }
 

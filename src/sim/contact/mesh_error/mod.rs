@@ -11,7 +11,7 @@ use crate::reynolds::ContactDefinition;
 use crate::sim::scene::Scene;
 
 pub(in crate::sim) use change::{BOX_MINIMUM, Mesh, estimate};
-pub(in crate::sim) use surfaces::{Surfaces, series_at_nodes};
+pub(in crate::sim) use surfaces::Surfaces;
 
 /// Fewest cells along a side that can be halved.
 const FEWEST: usize = 10;

@@ -117,6 +117,7 @@ impl Scene {
         list.extend(quasi_static::fast_changes(self));
         list.extend(mesh::boxes(self));
         list.extend(mesh::known_waves(self));
+        list.extend(strip_mesh::long_cells(self));
         list
     }
 }

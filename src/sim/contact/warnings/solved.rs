@@ -59,7 +59,8 @@ pub(in crate::sim) fn of_contact(scene: &Scene, seen: &SolvedContact<'_>, with_e
         ..found
     });
     let touching = (seen.smooth && scene.is_lubricated()).then(|| touching(scene, seen.load_ratio)).flatten();
-    let strip = (!seen.smooth).then(|| strip_mesh::coarse_strip(scene, seen.load_ratio)).flatten();
+    let strip =
+        (!seen.smooth && !with_error).then(|| strip_mesh::coarse_strip(scene, seen.load_ratio)).flatten();
     inlet.into_iter().chain(thick).chain(hot).chain(friction).chain(touching).chain(strip).collect()
 }
 
