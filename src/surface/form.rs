@@ -87,7 +87,7 @@ impl Form {
         let (radius_x, radius_y) = self.radii();
         if self.is_line() {
             Self::Cylinder { radius: radius_x }
-        } else if x == y && angle == 0.0 {
+        } else if angle == 0.0 && x.iter().zip(y).all(|(along, across)| along.total_cmp(&across).is_eq()) {
             Self::Sphere { radius: radius_x }
         } else {
             Self::Ellipsoid { radius_x, radius_y, angle }

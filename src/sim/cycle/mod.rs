@@ -133,9 +133,7 @@ fn cycle_scene(mut scene: Scene, table: &CycleTable) -> Result<Scene, SimError> 
 /// Sets radius, load and temperature of `row`.
 pub(in crate::sim::cycle) fn set_row(scene: &mut Scene, row: &CycleRow) {
     let mut form = scene.form.reduced();
-    if let Form::Sphere { radius } | Form::Cylinder { radius } = &mut form
-        && *radius != row.radius
-    {
+    if let Form::Sphere { radius } | Form::Cylinder { radius } = &mut form {
         *radius = row.radius;
         scene.form = form;
     }
