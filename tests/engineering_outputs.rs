@@ -103,6 +103,29 @@ fn specific_wear_rate_is_that_of_archard() {
     }
 }
 
+/// The scar of a pin at rest is form: smooth bodies stay smooth as they wear, to the hundredth of the scar that it is
+/// off a paraboloid. Above `8 p/(E' q)` of wear a step profiles oscillate, which is said.
+#[test]
+fn roughness_of_a_worn_pin_is_without_its_scar_and_long_steps_are_said() {
+    let (sim, records) = run(scene("dry_wear.toml"), 60, 5.0);
+    let last = records.last().unwrap();
+    let [depth, rq] = [last.wear.ball_scar_depth, last.roughness.ball_rq];
+    assert!(depth > 0.3e-6 && rq < 0.01 * depth, "Rq {rq:e} of a scar of {depth:e} m");
+    assert!(sim.warnings().is_empty(), "{:?}", sim.warnings());
+    assert!(last.pressure.max < records[0].pressure.max);
+
+    let (sim, records) = run(scene("dry_wear.toml"), 30, 40.0);
+    let (first, warnings) = (records.first().unwrap(), sim.warnings());
+    let long: Vec<_> = warnings.iter().filter(|warning| warning.field == "time_step").collect();
+    assert_eq!(long.len(), 1, "{warnings:?}");
+    let waves = PI * 2.0_f64.sqrt() / sim.grid().dx();
+    let limit = 8.0 * first.pressure.max / (scene("dry_wear.toml").equivalent_modulus().unwrap() * waves);
+    assert!(first.wear.ball_max + first.wear.disc_max > limit);
+    assert!(long[0].message.contains(&stribeck::units::by_size(limit, "m")), "{}", long[0]);
+    // The scar widens and pressures fall, but for the oscillations.
+    assert!(records.last().unwrap().pressure.max > 2.0 * first.pressure.max);
+}
+
 /// ISO 281: 4500/sqrt(1500 39.04) = 18.60 mm^2/s, 45000 500^-0.83/sqrt(39.04) = 41.4 mm^2/s.
 #[test]
 fn kappa_is_the_viscosity_over_that_of_iso_281() {

@@ -19,7 +19,7 @@ const STEEL: &str =
 
 #[test]
 fn radii_of_both_bodies_give_the_equivalent_radius() {
-    let read = |form: &str| Scene::from_toml(&scene(form, STEEL)).unwrap().form;
+    let read = |form: &str| Scene::from_toml(&scene(form, STEEL)).unwrap().form.reduced();
     // Two equal rollers have half their radius, a roller in a ring of twice its radius has twice its radius.
     let Form::Cylinder { radius } = read("kind = \"cylinder\"\nradii = [\"10 mm\", \"10 mm\"]\n") else {
         panic!()
@@ -39,6 +39,34 @@ fn radii_of_both_bodies_give_the_equivalent_radius() {
     assert!((radius_y - 1.0 / (1.0 / 6.35e-3 - 1.0 / 6.6e-3)).abs() < 1e-12);
     let kept = Scene::from_toml(&scene(ring, STEEL)).unwrap();
     assert_eq!(Scene::from_toml(&kept.to_toml().unwrap()).unwrap(), kept);
+}
+
+/// A ball in a cup of nearly its radius: at the half-width `a` the gap of parabolas differs from that of circles by
+/// `3 a^2/(4 r^2)`. The warning is about the bodies, and the reduced radius of metres is plausible.
+#[test]
+fn conformal_bodies_warn_by_their_own_radii() {
+    let [ball, cup] = [14e-3, 14.04e-3_f64];
+    let gap = |r: f64, x: f64| r - (r * r - x * x).sqrt();
+    let a = 0.3 * ball;
+    let of_parabolas = 0.5 * a * a * (1.0 / ball - 1.0 / cup);
+    let of_circles = gap(ball, a) - gap(cup, a);
+    assert!((of_circles / of_parabolas - 1.0 - 0.07).abs() < 0.01);
+
+    let form = "kind = \"sphere\"\nradii = [\"14 mm\", \"-14.04 mm\"]\n";
+    let mut scene = Scene::from_toml(&scene(form, STEEL)).unwrap();
+    assert_eq!(Scene::from_toml(&scene.to_toml().unwrap()).unwrap(), scene);
+    let mut warned_under = |ratio: f64| {
+        scene.load = stribeck::sim::scene::Load::force(1500.0);
+        let half_width = scene.hertz().unwrap().half_width_x;
+        scene.load = stribeck::sim::scene::Load::force(1500.0 * (ratio * ball / half_width).powi(3));
+        let fields: Vec<String> = scene.warnings().into_iter().map(|warning| warning.field).collect();
+        (
+            fields.iter().any(|field| field == "load.force"),
+            fields.iter().any(|field| field.starts_with("form.")),
+        )
+    };
+    assert_eq!(warned_under(0.29), (false, false));
+    assert_eq!(warned_under(0.31), (true, false));
 }
 
 #[test]

@@ -202,7 +202,9 @@ pub(crate) fn load(path: &Path) -> Result<Scene, String> {
 pub(crate) fn contact(path: &Path, file: SceneFile) -> Result<Scene, String> {
     let is = match file {
         SceneFile::Contact(scene) => return Ok(*scene),
-        SceneFile::Bearing(_) => "[given_film] is a rigid bearing, which `stribeck solve` and `curve` take",
+        SceneFile::Bearing(_) => {
+            "[given_film] is a rigid bearing, which `stribeck check`, `solve` and `curve` take"
+        }
         _ => {
             "form.kind = \"flat\" is a contact of flat surfaces, which `stribeck solve` takes, one load.mean_pressure or \
              load.mean_gap at a time"

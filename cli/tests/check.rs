@@ -180,9 +180,30 @@ fn rigid_bearing_is_solved_under_its_load() {
     ] {
         assert!(report.contains(&part), "{part}: {report}");
     }
-    common::assert_refused(&["check", text(&path)], &["journal.toml", "[given_film]", "stribeck solve"]);
+    let check = stribeck(&["check", text(&path)]);
+    let lines = String::from_utf8(check.stdout).unwrap();
+    // 1 kN on 50 mm x 25 mm
+    for part in [
+        "(1.60 per mille)",
+        "over the projected area, by the film alone",
+        &report_line(&report, "journal"),
+        "left out   holes",
+    ] {
+        assert!(lines.contains(part), "{part}: {lines}");
+    }
+    let check = json_of(&stribeck(&["check", text(&path), "--json"]));
+    assert!((check["specific_load"].as_f64().unwrap() / 0.8e6 - 1.0).abs() < 1e-5, "{check}");
+    common::assert_refused(
+        &["run", text(&path), "--steps", "1"],
+        &["journal.toml", "[given_film]", "stribeck check"],
+    );
     std::fs::write(&path, BEARING.replace("1 kN", "1 m")).unwrap();
     common::assert_refused(&["solve", text(&path)], &["journal.toml: given_film.load = \"1 m\"", "kN"]);
+}
+
+/// The line of `report` that begins with `word`.
+fn report_line(report: &str, word: &str) -> String {
+    report.lines().find(|line| line.starts_with(word)).unwrap().to_owned()
 }
 
 /// `init` writes an oil by its grade, at its temperature.

@@ -70,7 +70,7 @@ fn bearings_have_their_inner_geometry_and_source() {
         &["7208", "deep-groove", "its bore of 40 mm: 6008, 6208, 6308, NU208"],
     );
     assert_refused(&["init", "--bearing", "NU2210", text(&path)], &["its bore of 50 mm", "NU210"]);
-    for option in [["--stroke", "1 mm"], ["--finish", "ground"]] {
+    for option in [["--stroke", "1 mm"], ["--surface", "heights.csv"]] {
         assert_refused(
             &[&["init", "--bearing", "6205"], option.as_slice(), &[text(&path)]].concat(),
             &[option[0], "no effect", "--bearing"],
@@ -221,8 +221,21 @@ fn curve_of_a_rough_journal_has_the_share_of_solids() {
     let path = folder.path().join("rough.toml");
     std::fs::write(&path, scene.replace("[lubricant]", rough)).unwrap();
     let out = text(folder.path());
-    let curve = ["curve", text(&path), "--from", "0.01 m/s", "--to", "1 m/s", "--points", "3", "--out", out];
-    let output = stribeck(&curve);
+    let report = folder.path().join("report.html");
+    let curve = [
+        "curve",
+        text(&path),
+        "--from",
+        "0.01 m/s",
+        "--to",
+        "1 m/s",
+        "--points",
+        "3",
+        "--out",
+        out,
+        "--plot",
+    ];
+    let output = stribeck(&[&curve[..], &["--report", text(&report)]].concat());
     assert_eq!(output.status.code(), Some(0), "{}", error_of(&output));
     assert!(String::from_utf8(output.stdout).unwrap().contains("solids, %"));
     let csv = std::fs::read_to_string(folder.path().join("rough_curve.csv")).unwrap();
@@ -230,10 +243,45 @@ fn curve_of_a_rough_journal_has_the_share_of_solids() {
     let column = lines.next().unwrap().iter().position(|name| *name == "contact_share").unwrap();
     let shares: Vec<f64> = lines.map(|line| line[column].parse().unwrap()).collect();
     assert!(shares.len() == 3 && shares[0] > 0.7 && shares[0] > shares[1] && shares[2] < 1e-3, "{shares:?}");
+    let labels = ["least film (um)", "friction coefficient", "speed of the moving surface (m/s)"];
+    common::assert_pictures(folder.path(), "rough_curve", &labels);
+    let page = std::fs::read_to_string(report).unwrap();
+    assert!(page.contains("least film") && page.contains("largest pressure"), "{page}");
     let report = String::from_utf8(stribeck(&["solve", text(&path)]).stdout).unwrap();
     assert!(report.contains("% of the load on solids"), "{report}");
     let flat = repository("examples/scenes/flat.toml");
     assert_refused(&["curve", text(&flat), "--out", out], &["flat", "stribeck solve", "load.mean_pressure"]);
+}
+
+/// Rigs and bearings take roughness: the disc has it on cells that hold it, in a box as wide as asperities reach.
+#[test]
+fn rigs_and_bearings_take_roughness() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    for element in [["--rig", "mtm"], ["--rig", "pin-on-disc"], ["--rig", "twin-disc"], ["--bearing", "6205"]]
+    {
+        let rough = ["--roughness", "0.2 um", "--length", "30 um", "--force", "--json"];
+        let output = stribeck(&[&["init", text(&path)], &element[..], &rough].concat());
+        assert_eq!(output.status.code(), Some(0), "{element:?}: {}", error_of(&output));
+        // The groove of a ball bearing is outside of the range of the film formula.
+        let unexpected = |line: &&str| line.starts_with("warning") && !line.contains("ellipticity");
+        assert_eq!(error_of(&output).lines().find(unexpected), None, "{element:?}");
+        let json = json_of(&output);
+        close(&json["roughness"]["disc"]["rq"], 0.2e-6, 1e-9);
+        let [low, high] = [0, 1].map(|end| json["grid"]["x"][end].as_f64().unwrap());
+        let cell = (high - low) / json["grid"]["nx"].as_f64().unwrap();
+        assert!(cell <= 30e-6 / 4.0, "{element:?}: {cell}");
+    }
+    // No cells are offered that the option does not take.
+    let polished = ["init", text(&path), "--bearing", "6205", "--finish", "polished", "--force"];
+    let error = error_of(&stribeck(&polished));
+    assert!(
+        error.contains("cells of a quarter of the correlation length") && !error.contains("--cells"),
+        "{error}"
+    );
+    let finish = ["init", text(&path), "--rig", "ball-on-disc", "--finish", "honed", "--force"];
+    assert!(stribeck(&finish).status.success());
+    assert!(std::fs::read_to_string(&path).unwrap().contains("typical of a honed surface"));
 }
 
 #[test]

@@ -22,7 +22,6 @@ use crate::grid::Grid;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "kind", rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Form {
     /// A ball on a flat.
@@ -37,7 +36,6 @@ pub enum Form {
         /// Radius of curvature along the second axis, y without rotation \[m\].
         radius_y: f64,
         /// Angle from x to the first axis, positive towards y \[rad\].
-        #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
         angle: f64,
     },
     /// Parallel cylinders along y: a line contact, solved on one row of nodes.
@@ -45,6 +43,20 @@ pub enum Form {
         /// Radius \[m\].
         radius: f64,
     },
+    /// Two curved bodies. A concave one has a negative radius, a straight one an infinite radius.
+    Bodies {
+        /// Radii of ball and disc along the first axis, x without rotation \[m\].
+        x: [f64; 2],
+        /// Radii along the second axis \[m\]; both infinite for a line contact.
+        y: [f64; 2],
+        /// Angle from x to the first axis, positive towards y \[rad\].
+        angle: f64,
+    },
+}
+
+/// Radius \[m\] of a body on a flat with the gap between two bodies, `1/R = 1/R_1 + 1/R_2`.
+pub(crate) fn reduced_radius([first, second]: [f64; 2]) -> f64 {
+    1.0 / (1.0 / first + 1.0 / second)
 }
 
 impl Form {
@@ -64,6 +76,21 @@ impl Form {
                 let range = "between -pi/2 and pi/2 (plain numbers are in rad; \"30 deg\" is 30 degrees)";
                 InputError::require(angle.abs() <= FRAC_PI_2 * (1.0 + 1e-9), "form.angle", angle, range)
             }
+            Self::Bodies { .. } => self.reduced().validate(),
+        }
+    }
+
+    /// The form with the reduced radius of each section in place of those of both bodies.
+    #[must_use]
+    pub fn reduced(&self) -> Self {
+        let Self::Bodies { x, y, angle } = *self else { return *self };
+        let (radius_x, radius_y) = self.radii();
+        if self.is_line() {
+            Self::Cylinder { radius: radius_x }
+        } else if angle == 0.0 && x.iter().zip(y).all(|(along, across)| along.total_cmp(&across).is_eq()) {
+            Self::Sphere { radius: radius_x }
+        } else {
+            Self::Ellipsoid { radius_x, radius_y, angle }
         }
     }
 
@@ -74,14 +101,15 @@ impl Form {
             Self::Sphere { radius } => (radius, radius),
             Self::Cylinder { radius } => (radius, f64::INFINITY),
             Self::Ellipsoid { radius_x, radius_y, .. } => (radius_x, radius_y),
+            Self::Bodies { x, y, .. } => (reduced_radius(x), reduced_radius(y)),
         }
     }
 
-    /// Angle from x to the first axis \[rad\]; zero except for ellipsoids.
+    /// Angle from x to the first axis \[rad\]; zero except for ellipsoids and bodies.
     #[must_use]
     pub fn angle(&self) -> f64 {
         match *self {
-            Self::Ellipsoid { angle, .. } => angle,
+            Self::Ellipsoid { angle, .. } | Self::Bodies { angle, .. } => angle,
             _ => 0.0,
         }
     }
@@ -102,7 +130,10 @@ impl Form {
     /// Whether the contact is a line.
     #[must_use]
     pub fn is_line(&self) -> bool {
-        matches!(self, Self::Cylinder { .. })
+        match self {
+            Self::Bodies { y, .. } => y.iter().all(|radius| radius.is_infinite()),
+            other => matches!(other, Self::Cylinder { .. }),
+        }
     }
 
     /// Overwrites `out` \[m\] with the undeformed gap at the nodes of `grid`, zero at the origin.
@@ -122,8 +153,60 @@ impl Form {
     }
 }
 
-/// Whether the angle is the default and not written.
+/// The table `[form]` of a form: kind, radii of both bodies or the radius of each section, angle.
 #[cfg(feature = "serde")]
-fn is_zero(angle: &f64) -> bool {
-    *angle == 0.0
+#[derive(Default, serde::Serialize)]
+struct Table {
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radius: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radii: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radius_x: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radii_x: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radius_y: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radii_y: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    angle: Option<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Form {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let angle = Some(self.angle()).filter(|angle| *angle != 0.0);
+        // Files have no infinite radii: a section with a straight body has the radius of the other one.
+        let pair =
+            |radii: [f64; 2]| Some(radii).filter(|radii| radii.iter().all(|radius| radius.is_finite()));
+        let [x, y] = match *self {
+            Self::Bodies { x, y, .. } => [pair(x), pair(y)],
+            _ => [None; 2],
+        };
+        let single = |pair: Option<[f64; 2]>, radius: f64| if pair.is_some() { None } else { Some(radius) };
+        let table = match self.reduced() {
+            Self::Sphere { radius } => {
+                Table { kind: "sphere", radius: single(x, radius), radii: x, ..Table::default() }
+            }
+            Self::Cylinder { radius } => {
+                Table { kind: "cylinder", radius: single(x, radius), radii: x, ..Table::default() }
+            }
+            Self::Ellipsoid { .. } | Self::Bodies { .. } => {
+                let (radius_x, radius_y) = self.radii();
+                let (radius_x, radius_y) = (single(x, radius_x), single(y, radius_y));
+                Table {
+                    kind: "ellipsoid",
+                    radius_x,
+                    radii_x: x,
+                    radius_y,
+                    radii_y: y,
+                    angle,
+                    ..Table::default()
+                }
+            }
+        };
+        table.serialize(serializer)
+    }
 }

@@ -1,6 +1,7 @@
 //! `stribeck check`: regime, film and load on solids by formula, whether a scene can be solved and run, and the
-//! parts of its model, without solving.
+//! parts of its model, without solving. The film of a rigid bearing is solved.
 
+mod bearing;
 mod cycle;
 mod parts;
 mod words;
@@ -13,7 +14,8 @@ use serde_json::{Value, json};
 use stribeck::InputError;
 use stribeck::sim::scene::{GridSpec, Scene, TrackSpec};
 use stribeck::sim::{
-    Expectation, ExpectedFilm, FormulaFilm, HertzContact, MixedLubricationSim, OilNumbers, SimError, Warning,
+    Expectation, ExpectedFilm, FormulaFilm, HertzContact, MixedLubricationSim, OilNumbers, SceneFile,
+    SimError, Warning,
 };
 
 use self::parts::{Part, parts};
@@ -23,7 +25,7 @@ use crate::output::{self, Outcome};
 const OWN_BOX: f64 = 2.0;
 const OWN_CELLS: usize = 64;
 
-/// Warnings go to standard error.
+/// Warnings go to standard error. The film of a rigid bearing (table `given_film`) is solved.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
@@ -88,7 +90,10 @@ impl OilTemperature {
 }
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
-    let scene = output::load(&options.scene)?;
+    let scene = match output::load_any(&options.scene)? {
+        SceneFile::Bearing(bearing) => return bearing::run(options, &bearing),
+        file => output::contact(&options.scene, file)?,
+    };
     let named = |error: Box<dyn Error>| output::in_scene(&options.scene, error.as_ref());
     let expected = Expected::of(&scene, &options.scene).map_err(named)?;
     let mut numbers = expected.to_json()?;

@@ -17,6 +17,7 @@ use stribeck::sim::{
 };
 use stribeck::{Grid, Status};
 
+pub(super) use self::bearing::report as bearing_lines;
 use super::contact_pictures::{Seen, maps, profile};
 use super::strip_sample;
 use crate::output::{self, Held, Outcome, Output, ReportFile};

@@ -132,9 +132,10 @@ fn cycle_scene(mut scene: Scene, table: &CycleTable) -> Result<Scene, SimError> 
 
 /// Sets radius, load and temperature of `row`.
 pub(in crate::sim::cycle) fn set_row(scene: &mut Scene, row: &CycleRow) {
-    match &mut scene.form {
-        Form::Sphere { radius } | Form::Cylinder { radius } => *radius = row.radius,
-        _ => {}
+    let mut form = scene.form.reduced();
+    if let Form::Sphere { radius } | Form::Cylinder { radius } = &mut form {
+        *radius = row.radius;
+        scene.form = form;
     }
     (scene.load.force, scene.load.hertz_pressure) = (Some(row.load), None);
     scene.thermal.bulk_temperature = row.bulk_temperature;

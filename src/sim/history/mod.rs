@@ -36,4 +36,5 @@ mod step_solve;
 mod step_warnings;
 pub(in crate::sim) mod track;
 pub(in crate::sim) mod wider_box;
+mod worn_form;
 pub(in crate::sim) mod yielding;

@@ -21,7 +21,7 @@ use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::ContactModel;
-use crate::sim::contact::warnings::{self, Warning};
+use crate::sim::contact::warnings::Warning;
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
 use crate::sim::history::contact_exposure::StepBuffers;
@@ -220,7 +220,7 @@ impl MixedLubricationSim {
         let (solved, offsets, attempts) = self.solve_at_some_position()?;
         let error_estimate = self.estimate_errors(&conditions, &solved.0)?;
         let flash_rise = self.heat.update(&self.friction, self.film_heat.as_ref())?;
-        let rq = self.roughness()?;
+        let rq = self.roughness();
         let time_step = self.commit_within(control, offsets)?;
         self.require_changes_inside()?;
         let mut record = self.record((solved, attempts), flash_rise, (conditions, rq), time_step)?;
@@ -235,10 +235,7 @@ impl MixedLubricationSim {
             self.warn_of_first(&record);
         }
         self.warn_of_left_out(&record, conditions);
-        if self.warnings.iter().all(|warning| !warnings::DEEP_WEAR.contains(&warning.field.as_str())) {
-            let depths = [record.wear.ball_max, record.wear.disc_max];
-            self.warnings.extend(warnings::deep_wear(depths, self.half_width()));
-        }
+        self.warn_of_wear(&record);
         self.step += 1;
         Ok(record)
     }

@@ -1,6 +1,5 @@
 //! The record of a step: its numbers from contact, friction and bodies.
 
-use crate::error::InputError;
 use crate::sim::contact::film_heat::Solved;
 use crate::sim::contact::numbers::{DepthNumbers, Numbers, PlasticNumbers, WearNumbers};
 use crate::sim::error::SimError;
@@ -10,12 +9,6 @@ use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::scene::operating_schedule::Conditions;
 
 impl MixedLubricationSim {
-    /// Root mean square roughness of both bodies on the track \[m\].
-    pub(in crate::sim) fn roughness(&self) -> Result<[f64; 2], InputError> {
-        let [ball, disc] = &self.bodies;
-        Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
-    }
-
     /// The record of the step of length `time_step` just taken, whose contact was solved under `conditions` on
     /// surfaces of roughness `rq`.
     pub(in crate::sim) fn record(

@@ -2,6 +2,7 @@
 
 use crate::lubricant::Lubricant;
 use crate::sim::contact::warnings;
+use crate::sim::history::body::Body;
 use crate::sim::history::record::StepRecord;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::scene::operating_schedule::Conditions;
@@ -44,5 +45,29 @@ impl MixedLubricationSim {
         }
         found.retain(|warning| self.warnings.iter().all(|known| known.field != warning.field));
         self.warnings.extend(found);
+    }
+
+    /// Warnings about deep wear and about steps that wear too much, each once a run.
+    pub(in crate::sim) fn warn_of_wear(&mut self, record: &StepRecord) {
+        let is_said =
+            |fields: &[&str]| self.warnings.iter().any(|known| fields.contains(&known.field.as_str()));
+        let deep = (!is_said(&warnings::DEEP_WEAR))
+            .then(|| warnings::deep_wear([record.wear.ball_max, record.wear.disc_max], self.half_width()));
+        let long = (!is_said(&[warnings::LONG_STEP])).then(|| {
+            let modulus = self.scene.equivalent_modulus().ok()?;
+            let depth = self.worn_in_step();
+            warnings::long_step(record.time_step, depth, &self.contact.grid, (record.pressure.max, modulus))
+        });
+        self.warnings.extend(deep.flatten().into_iter().chain(long.flatten()));
+    }
+
+    /// Sum of the largest wear of a node of either body in the last step \[m\].
+    fn worn_in_step(&self) -> f64 {
+        let bodies = self.bodies.iter().zip(&self.backup);
+        let largest = |(now, before): (&Body, &Body)| {
+            let worn = now.wear().iter().zip(before.wear()).map(|(now, before)| now - before);
+            worn.fold(0.0, f64::max)
+        };
+        bodies.map(largest).sum()
     }
 }

@@ -6,6 +6,7 @@ use crate::sim::contact::numbers::Scar;
 use crate::sim::history::body::Body;
 use crate::sim::history::exposure;
 use crate::sim::history::simulation::MixedLubricationSim;
+use crate::sim::history::worn_form::scar_rq;
 use crate::surface::PointRevisit;
 
 /// Half the length along x of the middle of a scar, over the Hertz half-width.
@@ -102,10 +103,20 @@ impl MixedLubricationSim {
         Ok(rows.collect())
     }
 
-    /// Root mean square of [`track_roughness`](Self::track_roughness) \[m\].
-    pub(in crate::sim) fn track_rq(&self, heights: &[f64]) -> Result<f64, InputError> {
-        InputError::require_len("field", heights, self.contact.grid.len())?;
-        Ok(track_rq(&self.contact.grid, self.contact.hertz.half_extents()[1], heights))
+    /// Root mean square roughness of both bodies in the present contact \[m\]: of [`track_roughness`](Self::track_roughness),
+    /// and of a body that wears at the same points at all times about the form of its scar.
+    pub(in crate::sim) fn roughness(&self) -> [f64; 2] {
+        let (grid, hertz) = (&self.contact.grid, &self.contact.hertz);
+        let speeds = self.conditions().motion.surface_speeds();
+        std::array::from_fn(|body| {
+            let heights = self.bodies[body].surface();
+            let visits = exposure::visits(self.surface_motion.motion.as_ref(), speeds[body]);
+            if self.laws.wear.is_some() && visits == PointRevisit::Permanent {
+                scar_rq(grid, &hertz.ellipse(), heights)
+            } else {
+                track_rq(grid, hertz.half_extents()[1], heights)
+            }
+        })
     }
 
     /// The rows of the track and their means.

@@ -97,7 +97,7 @@ impl CycleTable {
         for (key, values, _) in &own {
             check_column(key, values, times.len(), &source)?;
         }
-        if !spec.radius.is_empty() && matches!(scene.form, Form::Ellipsoid { .. }) {
+        if !spec.radius.is_empty() && matches!(scene.form.reduced(), Form::Ellipsoid { .. }) {
             let reason =
                 "an ellipsoid has two; the radius of a cycle is that of a sphere or cylinder".to_owned();
             return Err(InputError::Conflict { field: "cycle.radius".to_owned(), reason });

@@ -35,26 +35,37 @@ pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D
 
 impl FormTable {
     fn into_form(self) -> Result<Form, String> {
-        Ok(match self {
+        let form = match self {
             Self::Sphere { radius, radii } => {
-                Form::Sphere { radius: equivalent("radius", radius, "radii", radii)? }
+                let radii = section("radius", radius, "radii", radii)?;
+                Form::Bodies { x: radii, y: radii, angle: 0.0 }
             }
             Self::Cylinder { radius, radii } => {
-                Form::Cylinder { radius: equivalent("radius", radius, "radii", radii)? }
+                let radii = section("radius", radius, "radii", radii)?;
+                Form::Bodies { x: radii, y: [f64::INFINITY; 2], angle: 0.0 }
             }
-            Self::Ellipsoid { radius_x, radii_x, radius_y, radii_y, angle } => Form::Ellipsoid {
-                radius_x: equivalent("radius_x", radius_x, "radii_x", radii_x)?,
-                radius_y: equivalent("radius_y", radius_y, "radii_y", radii_y)?,
-                angle,
-            },
-        })
+            Self::Ellipsoid { radius_x, radii_x, radius_y, radii_y, angle } => {
+                let x = section("radius_x", radius_x, "radii_x", radii_x)?;
+                let y = section("radius_y", radius_y, "radii_y", radii_y)?;
+                if [x, y].iter().all(|[_, disc]| disc.is_infinite()) {
+                    return Ok(Form::Ellipsoid { radius_x: x[0], radius_y: y[0], angle });
+                }
+                Form::Bodies { x, y, angle }
+            }
+        };
+        let is_pair = matches!(form, Form::Bodies { x: [_, disc], y: [_, across], .. } if disc.is_finite() || across.is_finite());
+        Ok(if is_pair { form } else { form.reduced() })
     }
 }
 
-/// The radius of a section: as given, or of a flat against which the gap is that between both bodies,
-/// `1/R = 1/R_1 + 1/R_2`.
-fn equivalent(key: &str, given: Option<f64>, pair_key: &str, pair: Option<Vec<f64>>) -> Result<f64, String> {
-    let Some(pair) = pair else { return required(key, given) };
+/// Radii of both bodies of a section: as given, or those of a body of the radius on a flat.
+fn section(
+    key: &str,
+    given: Option<f64>,
+    pair_key: &str,
+    pair: Option<Vec<f64>>,
+) -> Result<[f64; 2], String> {
+    let Some(pair) = pair else { return Ok([required(key, given)?, f64::INFINITY]) };
     if given.is_some() {
         return Err(format!("`{pair_key}` replaces `{key}`; give only one"));
     }
@@ -68,7 +79,7 @@ fn equivalent(key: &str, given: Option<f64>, pair_key: &str, pair: Option<Vec<f6
              negative radius that is larger than that of the body in it"
         ));
     }
-    Ok(1.0 / curvature)
+    Ok([first, second])
 }
 
 /// `[grid]` as written.

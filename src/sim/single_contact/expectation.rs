@@ -14,7 +14,6 @@ use crate::sim::contact::short_roughness::short_roughness;
 use crate::sim::contact::warnings::{self, OperatingPoint, Warning};
 use crate::sim::error::SimError;
 use crate::sim::history::simulation::MixedLubricationSim;
-use crate::sim::history::track::track_rq;
 use crate::sim::scene::Roughness;
 
 /// Autocorrelation at the end of the correlation length.
@@ -107,9 +106,7 @@ impl MixedLubricationSim {
     /// Conditions outside the range of the formulas.
     pub fn expectation(&self) -> Result<Expectation, SimError> {
         let grid = self.contact.grid;
-        let half_width = self.contact.hertz.half_extents()[1];
-        let rq = self.bodies.each_ref().map(|body| track_rq(&grid, half_width, body.surface()));
-        let roughness = RoughnessNumbers::of(rq);
+        let roughness = RoughnessNumbers::of(self.roughness());
         let correlation_length = self.correlation_length();
         let heights = self.bodies.each_ref().map(|body| body.surface());
         let short_roughness = short_roughness(&self.scene, &grid, heights, &self.contact.hertz);

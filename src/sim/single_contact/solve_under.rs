@@ -10,7 +10,6 @@ use crate::sim::contact::solution::ContactSolution;
 use crate::sim::error::SimError;
 use crate::sim::history::heat;
 use crate::sim::history::simulation::MixedLubricationSim;
-use crate::sim::history::track::track_rq;
 use crate::sim::scene::operating_schedule::Conditions;
 use crate::surface::Offset;
 
@@ -57,9 +56,8 @@ impl MixedLubricationSim {
     fn solve_and_measure(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
         self.contact.set_conditions(&self.scene, conditions)?;
         let solved = self.solve_at([Offset::default(); 2])?;
-        let Self { contact, placement, friction, yielding, laws, state, bodies, .. } = self;
-        let half_width = contact.hertz.half_extents()[1];
-        let rq = bodies.each_ref().map(|body| track_rq(&contact.grid, half_width, body.surface()));
+        let rq = self.roughness();
+        let Self { contact, placement, friction, yielding, laws, state, .. } = self;
         let known = is_known(state).then_some(&*friction);
         let limit = laws.plasticity.is_some().then_some(yielding.limit.as_slice());
         let numbers = Numbers::of(contact, state, known, limit, rq)?;

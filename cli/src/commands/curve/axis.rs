@@ -7,11 +7,9 @@ use stribeck::sim::Conditions;
 use stribeck::sim::scene::{Load, Scene};
 use stribeck::units::Dimension;
 
-use super::Options;
+use super::{Options, speeds};
 use crate::output;
 
-/// Range of speeds around that of the scene.
-const RANGE: f64 = 100.0;
 /// Lowest load over that of the scene, the highest.
 const LEAST_LOAD: f64 = 0.1;
 /// Temperatures of the viscosity index \[K\].
@@ -95,6 +93,11 @@ impl Axis {
             (Self::Load, true) => "load (N/m)",
             (Self::Temperature, _) => "bulk temperature (\u{b0}C)",
         }
+    }
+
+    /// Label in the picture of a rigid bearing, one surface of which moves.
+    pub(super) fn bearing_label(self) -> &'static str {
+        if self == Self::Speed { "speed of the moving surface (m/s)" } else { self.label(false) }
     }
 
     /// Whether values are spread over their logarithms.
@@ -240,7 +243,7 @@ pub(super) fn values(options: &Options, scene: &Scene, own: &Conditions) -> Resu
                 output::require(own > 0.0, "motion.entrainment_speed", own, "finite and > 0")
                     .map_err(|error| output::in_scene(&options.scene, &error))?;
             }
-            [own / RANGE, own * RANGE]
+            speeds::usual(scene, own).map_err(|error| output::in_scene(&options.scene, &error))?
         }
         Axis::SlideRollRatio => RATIOS,
         Axis::Load => [LEAST_LOAD * own.load, own.load],

@@ -2,11 +2,14 @@
 
 mod axis;
 mod bearing;
+mod bearing_chart;
+mod bearing_table;
 mod chart;
 mod model;
 mod report;
 mod row;
 mod solve;
+mod speeds;
 mod surfaces;
 
 use std::error::Error;
@@ -42,11 +45,12 @@ pub(crate) struct Options {
     /// Quantity that the curve is over
     #[arg(long, value_enum, default_value_t = Axis::Speed)]
     over: Axis,
-    /// Lowest value, "0.001" or "1 mm/s" [default: a hundredth of the speed or a tenth of the load of the scene, ratio 0,
-    /// 40 degC]
+    /// Lowest value, "0.001" or "1 mm/s" [default: the speed of a film of 0.03 Rq by formula, of smooth bodies and bearings a tenth of
+    /// that of the scene; a tenth of the load, ratio 0, 40 degC]
     #[arg(long, allow_hyphen_values = true)]
     from: Option<String>,
-    /// Highest value [default: a hundred times the speed, or the load of the scene, ratio 0.5, 100 degC]
+    /// Highest value [default: the speed of a film of 3 Rq, at most 10 m/s or ten times that of the scene; of smooth bodies and bearings
+    /// ten times that; the load, ratio 0.5, 100 degC]
     #[arg(long, allow_hyphen_values = true)]
     to: Option<String>,
     /// Number of values; speeds and loads are evenly spread over their logarithms

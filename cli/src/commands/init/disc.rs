@@ -175,12 +175,18 @@ impl Disc {
         let cells = 2.0 * (0.5 * wanted(cell)).ceil();
         match self {
             Self::Measured(_) => Ok(cells.clamp(f64::from(FEWEST_CELLS), f64::from(MOST_CHOSEN)) as u32),
-            _ if cells > f64::from(MOST_CHOSEN) => Err(format!(
-                "a box of {} um takes {cells} cells of a quarter of the correlation length along each side, more than {MOST_CHOSEN}; a longer \
-                 --length, a smaller load, or --cells {} (at most {MOST_CELLS})",
-                plain(1e6 * size),
-                cells
-            )),
+            _ if cells > f64::from(MOST_CHOSEN) => {
+                let by_option = if cells > MOST_CELLS as f64 {
+                    String::new()
+                } else {
+                    format!(", or --cells {cells} (at most {MOST_CELLS})")
+                };
+                Err(format!(
+                    "a box of {} um takes {cells} cells of a quarter of the correlation length along each side, more than {MOST_CHOSEN}; a longer \
+                     --length, a smaller load{by_option}",
+                    plain(1e6 * size)
+                ))
+            }
             _ => Ok((cells as u32).max(FEWEST_CELLS)),
         }
     }

@@ -33,8 +33,13 @@ pub(super) fn is_empty(options: &Options) -> bool {
 pub(super) fn require_used(options: &Options, name: &str, used: &[&str]) -> Result<(), String> {
     match options_given(options).find(|option| !used.contains(option)) {
         None => Ok(()),
-        Some(option) => Err(format!(
-            "{option} has no effect on the scene of {name}; leave it out; keys without an option are changed in the scene file"
-        )),
+        Some(option) => Err(without_effect(option, &format!("the scene of {name}"))),
     }
+}
+
+/// The error about an `option` without effect on `it`.
+pub(super) fn without_effect(option: &str, it: &str) -> String {
+    format!(
+        "{option} has no effect on {it}; leave it out; keys without an option are changed in the scene file"
+    )
 }

@@ -76,7 +76,11 @@ fn per(bearing: &RigidBearing) -> &'static str {
 }
 
 /// The numbers for people.
-fn report(bearing: &RigidBearing, solution: &BearingSolution, status: Status) -> String {
+pub(in crate::commands) fn report(
+    bearing: &RigidBearing,
+    solution: &BearingSolution,
+    status: Status,
+) -> String {
     let numbers = &solution.numbers;
     let per = per(bearing);
     let is_line = !per.is_empty();

@@ -6,10 +6,13 @@ use crate::sim::contact::formula::ellipticity;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::OperatingSchedule;
 use crate::sim::scene::{BODIES, OilSpec, Roughness, Scene};
-use crate::surface::Texture;
+use crate::surface::{Form, Texture};
 
 /// Largest half-width of a contact over the radius: bodies are treated as parabolas and half-spaces.
 const LARGEST_SLOPE: f64 = 0.1;
+/// Largest half-width of a contact in a concave body over the radius of a body. With nearly equal radii `r` the gap of parabolas
+/// differs at the half-width `a` from that of circles by its share `3 a^2/(4 r^2)`, here 7 %.
+const LARGEST_CONFORMAL: f64 = 0.3;
 /// Largest depth of dimples over their diameter.
 const STEEPEST_DIMPLE: f64 = 0.1;
 /// Range of ellipticities of the formula of Hamrock and Dowson.
@@ -68,26 +71,46 @@ pub(super) fn steep_dimples(field: &str, depth: f64, diameter: f64) -> Option<Wa
     })
 }
 
-/// A contact whose width is comparable to the radii.
+/// A contact whose width is comparable to the reduced radii, or in a concave body to the radii of the bodies.
 fn slope(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
     let (radius_x, radius_y) = scene.form.radii();
     let ratio = (hertz.half_width_x / radius_x).max(hertz.half_width_y / radius_y);
-    (ratio > LARGEST_SLOPE).then(|| {
-        let (field, value) = match scene.load.hertz_pressure {
-            Some(pressure) if scene.schedule.load.is_none() => ("load.hertz_pressure", pressure),
-            _ => ("load.force", hertz.force),
-        };
-        Warning::new(
-            field,
-            value,
-            format!(
-                "the contact has a half-width of {} of the radius: elastic half-spaces and parabolas hold up to \
-                 {LARGEST_SLOPE}",
-                short(ratio)
-            ),
-            "lower the load or check radius and modulus".to_owned(),
+    let conformal = conformal_ratio(scene, hertz);
+    let message = if conformal > LARGEST_CONFORMAL {
+        format!(
+            "the contact has a half-width of {} of the smaller radius of a body: at its edge the gap of parabolas differs by {} % from \
+             that of circles, and half-spaces do not hold; up to {LARGEST_CONFORMAL} it is 7 %",
+            short((1e3 * conformal).round() / 1e3),
+            short((75.0 * conformal.powi(2)).round())
         )
-    })
+    } else if ratio > LARGEST_SLOPE {
+        format!(
+            "the contact has a half-width of {} of the radius: elastic half-spaces and parabolas hold up to {LARGEST_SLOPE}",
+            short(ratio)
+        )
+    } else {
+        return None;
+    };
+    let (field, value) = match scene.load.hertz_pressure {
+        Some(pressure) if scene.schedule.load.is_none() => ("load.hertz_pressure", pressure),
+        _ => ("load.force", hertz.force),
+    };
+    let remedy = if conformal > LARGEST_CONFORMAL {
+        "less load or more clearance; [given_film] with kind = \"journal\" computes a journal in its bush"
+    } else {
+        "lower the load or check radius and modulus"
+    };
+    Some(Warning::new(field, value, message, remedy.to_owned()))
+}
+
+/// Half-width of the contact over the smaller radius of the bodies in sections with a concave body; zero without one.
+fn conformal_ratio(scene: &Scene, hertz: &HertzContact) -> f64 {
+    let Form::Bodies { x, y, .. } = scene.form else { return 0.0 };
+    let section = |radii: [f64; 2], half_width: f64| {
+        let smaller = radii.iter().fold(f64::INFINITY, |smaller, radius| smaller.min(radius.abs()));
+        if radii.iter().any(|radius| *radius < 0.0) { half_width / smaller } else { 0.0 }
+    };
+    section(x, hertz.half_width_x).max(section(y, hertz.half_width_y))
 }
 
 /// A pressure limit below the pressure of the smooth contact.

@@ -13,6 +13,7 @@ mod quasi_static;
 mod rough;
 mod solved;
 mod strip_mesh;
+mod worn;
 
 use std::fmt;
 
@@ -25,7 +26,8 @@ pub(in crate::sim) use left_out::{OperatingPoint, left_out};
 pub(in crate::sim) use plausible::{of_own_laws, reject_height_unit, reject_units};
 pub(in crate::sim) use quasi_static::QUASI_STATIC;
 pub(in crate::sim) use rough::of_roughness;
-pub(in crate::sim) use solved::{DEEP_WEAR, SolvedContact, after_solve, deep_wear, large_errors, of_contact};
+pub(in crate::sim) use solved::{SolvedContact, after_solve, large_errors, of_contact};
+pub(in crate::sim) use worn::{DEEP_WEAR, LONG_STEP, deep_wear, long_step};
 
 use crate::error::format_number;
 use crate::grid::Grid;

@@ -111,6 +111,10 @@ fn bodies(scene: &Scene) -> Vec<Entry> {
             let [along_x, along_y] = longer;
             vec![entry("form.radius_x", radius_x, along_x), entry("form.radius_y", radius_y, along_y)]
         }
+        Form::Bodies { x, y, .. } => {
+            let radii = x.into_iter().chain(y).filter(|radius| radius.is_finite());
+            radii.map(|radius| entry("form.radii", radius.abs(), LONGER_RADIUS)).collect()
+        }
     };
     let elastic = scene.elastic;
     list.push(entry("elastic.equivalent_modulus", elastic.equivalent_modulus, MODULUS));

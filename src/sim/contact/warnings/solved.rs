@@ -18,10 +18,6 @@ const UNRESOLVED_CELL: f64 = 10.0;
 /// Largest central film over the smaller reduced radius. Where the gap of paraboloids is two films it then differs by 2 % from
 /// that of circles.
 const THICKEST_FILM: f64 = 0.02;
-/// Deepest wear over the half-width of the contact.
-const DEEPEST_WEAR: f64 = 0.1;
-/// Fields of that warning, for ball and disc.
-pub(in crate::sim) const DEEP_WEAR: [&str; 2] = ["wear.ball_max", "wear.disc_max"];
 /// Load ratio above which smooth bodies count as touching.
 const SMOOTH_TOUCHING: f64 = 0.01;
 /// Widest range of the load ratio by asperity inlets without a warning. Of many asperities it is at most 0.32, by the closed form
@@ -204,20 +200,6 @@ fn hot_film(largest: f64, bulk: f64) -> Option<Warning> {
             ),
             "take film and friction as a guess".to_owned(),
         )
-    })
-}
-
-/// A node of ball or disc whose larger worn depth of `depths` \[m\] is large for a contact of `half_width` \[m\].
-pub(in crate::sim) fn deep_wear([ball, disc]: [f64; 2], half_width: f64) -> Option<Warning> {
-    let [of_ball, of_disc] = DEEP_WEAR;
-    let (field, depth) = if ball > disc { (of_ball, ball) } else { (of_disc, disc) };
-    (depth > DEEPEST_WEAR * half_width).then(|| {
-        let message = format!(
-            "a node has worn by {} times the half-width of the contact, surfaces are taken for shallow",
-            short(depth / half_width)
-        );
-        let remedy = "check the unit of the wear coefficient and the time step".to_owned();
-        Warning::new(field, depth, message, remedy)
     })
 }
 

@@ -4,6 +4,7 @@ mod bearing;
 mod bearing_list;
 mod rig;
 mod roller;
+mod rough;
 
 use std::error::Error;
 
@@ -66,29 +67,16 @@ struct Element {
 /// Writes the scene of the element that the options describe; `None` without one.
 pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
     let element = &options.element;
+    let rough = |used: &[&'static str]| [used, &rough::OPTIONS].concat();
     let text = if let Some(rig) = element.rig {
-        require_used(options, "--rig", rig.options())?;
-        text(options, &rig.element(options)?)?
+        require_used(options, "--rig", &rough(rig.options()))?;
+        text(options, &rough::roughened(options, "--rig", rig.element(options)?)?)?
     } else if let Some(name) = &element.bearing {
-        require_used(options, "--bearing", &["--rotation", "--slide-roll-ratio", OIL])?;
-        text(options, &bearing::element(options, name)?)?
+        require_used(options, "--bearing", &rough(&["--rotation", "--slide-roll-ratio", OIL]))?;
+        text(options, &rough::roughened(options, "--bearing", bearing::element(options, name)?)?)?
     } else if element.roller {
-        let rough = options.roughness.is_some() || options.finish.is_some();
-        require_used(
-            options,
-            "--roller",
-            &[
-                "--radius",
-                "--speed",
-                "--slide-roll-ratio",
-                "--roughness",
-                "--length",
-                "--finish",
-                OIL,
-                if rough { "--cells" } else { "" },
-            ],
-        )?;
-        text(options, &roller::element(options)?)?
+        require_used(options, "--roller", &rough(&["--radius", "--speed", "--slide-roll-ratio", OIL]))?;
+        text(options, &rough::roughened(options, "--roller", roller::element(options)?)?)?
     } else if element.journal {
         require_used(options, "--journal", &["--rotation", OIL])?;
         journal(options)?

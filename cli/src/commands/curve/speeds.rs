@@ -1,0 +1,74 @@
+//! Speeds of a Stribeck curve by default.
+
+use stribeck::InputError;
+use stribeck::metrics::composite_rq;
+use stribeck::sim::scene::{Roughness, Scene};
+
+/// Films over the composite Rq at the lowest and the highest speed: at the first solids carry nearly all of the load, above the second
+/// asperities do not touch.
+const LAMBDAS: [f64; 2] = [0.03, 3.0];
+/// Lowest and highest speed over that of the scene for smooth bodies; between rough ones the highest is at most the second.
+const AROUND: [f64; 2] = [0.1, 10.0];
+/// Speed \[m/s\] that is within the range of rough bodies in any case: shear in the inlet then thins the film of an oil of 10 mPa s by a
+/// tenth, which isothermal films leave out (Gupta et al. 1992, J. Tribol. 114, 55-62).
+const ISOTHERMAL_SPEED: f64 = 10.0;
+/// Decades of speed about that of the scene that are searched.
+const DECADES: f64 = 6.0;
+/// Bisections of that range.
+const BISECTIONS: u32 = 40;
+
+/// Lowest and highest speed by default, about that of the scene: from boundary lubrication to full films by formula.
+pub(super) fn usual(scene: &Scene, own: f64) -> Result<[f64; 2], InputError> {
+    let around = AROUND.map(|factor| factor * own);
+    let rq = [&scene.roughness.ball, &scene.roughness.disc].map(|surface| match surface {
+        Roughness::Random(surface) => surface.rq,
+        Roughness::File(file) => file.rq.unwrap_or(0.0),
+        _ => 0.0,
+    });
+    let rq = composite_rq(rq[0], rq[1]);
+    if rq == 0.0 || own == 0.0 {
+        return Ok(around);
+    }
+    let [low, high] = LAMBDAS.map(|lambda| speed_of_film(scene, own, lambda * rq));
+    let highest = ISOTHERMAL_SPEED.max(around[1]);
+    Ok([low?.min(own), high?.min(highest).max(own)])
+}
+
+/// The speed \[m/s\] at which the central film by formula is `film` \[m\].
+fn speed_of_film(scene: &Scene, own: f64, film: f64) -> Result<f64, InputError> {
+    let mut scene = scene.clone();
+    scene.schedule.entrainment_speed = None;
+    let [mut low, mut high] = [-DECADES, DECADES];
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        scene.motion.entrainment_speed = own * 10.0_f64.powf(middle);
+        let is_thinner = scene.formula_film()?.is_none_or(|formula| formula.map.central < film);
+        *(if is_thinner { &mut low } else { &mut high }) = middle;
+    }
+    Ok(own * 10.0_f64.powf(0.5 * (low + high)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The disc of 130 nm of Azam et al. at 0.1 m/s has a film of 0.06 Rq by formula, of 3 Rq far above 10 m/s.
+    #[test]
+    fn speeds_span_boundary_lubrication_to_full_films() {
+        let mut scene = Scene::azam_2019(32);
+        let lambda = |scene: &Scene, speed: f64| {
+            let mut scene = scene.clone();
+            scene.motion.entrainment_speed = speed;
+            scene.formula_film().unwrap().unwrap().map.central / 20e-9_f64.hypot(130e-9)
+        };
+        let [low, high] = usual(&scene, 0.1).unwrap();
+        assert!((lambda(&scene, low) / LAMBDAS[0] - 1.0).abs() < 1e-6 && low < 0.1, "{low}");
+        assert!((high - ISOTHERMAL_SPEED).abs() < 1e-12, "{high}");
+        scene.lubricant = scene.lubricant.map(|oil| oil.with_eta0(0.4));
+        let [_, high] = usual(&scene, 0.1).unwrap();
+        assert!((lambda(&scene, high) / LAMBDAS[1] - 1.0).abs() < 1e-6 && high < 10.0, "{high}");
+        scene.roughness = Default::default();
+        let [low, high] = usual(&scene, 0.5).unwrap();
+        assert!((low - 0.05).abs() < 1e-12 && (high - 5.0).abs() < 1e-12, "{low} {high}");
+    }
+}
