@@ -56,7 +56,11 @@ pub enum Form {
 
 /// Radius \[m\] of a body on a flat with the gap between two bodies, `1/R = 1/R_1 + 1/R_2`.
 pub(crate) fn reduced_radius([first, second]: [f64; 2]) -> f64 {
-    1.0 / (1.0 / first + 1.0 / second)
+    match [first, second].map(f64::is_infinite) {
+        [_, true] => first,
+        [true, _] => second,
+        _ => 1.0 / (1.0 / first + 1.0 / second),
+    }
 }
 
 impl Form {

@@ -104,14 +104,15 @@ impl MixedLubricationSim {
     }
 
     /// Root mean square roughness of both bodies in the present contact \[m\]: of [`track_roughness`](Self::track_roughness),
-    /// and of a body that wears at the same points at all times about the form of its scar.
+    /// and of a body worn at the same points at all times about the form of its scar.
     pub(in crate::sim) fn roughness(&self) -> [f64; 2] {
         let (grid, hertz) = (&self.contact.grid, &self.contact.hertz);
         let speeds = self.conditions().motion.surface_speeds();
         std::array::from_fn(|body| {
             let heights = self.bodies[body].surface();
             let visits = exposure::visits(self.surface_motion.motion.as_ref(), speeds[body]);
-            if self.laws.wear.is_some() && visits == PointRevisit::Permanent {
+            let is_worn = self.bodies[body].worn_volume > 0.0;
+            if is_worn && visits == PointRevisit::Permanent {
                 scar_rq(grid, &hertz.ellipse(), heights)
             } else {
                 track_rq(grid, hertz.half_extents()[1], heights)
