@@ -127,7 +127,7 @@ impl DrySolver {
             if deficit.abs() <= 1e-14 * target {
                 break;
             }
-            let can_change = |k: usize, p: f64| if deficit < 0.0 { p > 0.0 } else { p < problem.limit_of(k) };
+            let can_change = |k: usize, p: f64| deficit < 0.0 || p < problem.limit_of(k);
             let n = (0..pressure.len())
                 .filter(|&k| self.state[k] == NodeState::Free && can_change(k, pressure[k]))
                 .count();
@@ -142,7 +142,10 @@ impl DrySolver {
             let share = deficit / n as f64;
             for (k, p) in pressure.iter_mut().enumerate() {
                 if self.state[k] == NodeState::Free && can_change(k, *p) {
-                    *p = (*p + share).max(0.0).min(problem.limit_of(k));
+                    *p += share;
+                    if deficit > 0.0 {
+                        *p = p.min(problem.limit_of(k));
+                    }
                 }
             }
         }
