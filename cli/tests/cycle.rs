@@ -165,15 +165,26 @@ fn machines_that_cannot_run_are_refused_by_value() {
     };
     let cam = cam(&lift);
     assert_refused(&with(&FZG, "16", "9"), &["--teeth 9", "undercuts"]);
-    assert_refused(&with(&FZG, "91.5 mm", "80 mm"), &["--centre-distance", "0.08"]);
+    assert_refused(&with(&FZG, "91.5 mm", "80 mm"), &["--centre-distance = 0.08 m", "base radii, 0.084"]);
     assert_refused(&with(&FZG, "91.5 mm", "96 mm"), &["contact ratio"]);
     assert_refused(&with(&FZG, "94.1", "-1"), &["--torque", "-1"]);
     assert_refused(&with(&cam, "26 mm", "18 mm"), &["--base-circle", "degrees", "radius of curvature"]);
     assert_refused(&with(&cam, "0.12", "3"), &["--preload", "leaves the cam"]);
+    // The film of an unloaded contact fills the whole gap.
+    assert_refused(&with(&FZG, "94.1", "1e-9"), &["row 1 of the cycle", "N/m", "inlet", "more load"]);
     assert_refused(&["init", text(&path), "--module", "2 mm"], &["--module", "no effect"]);
     fs::write(&lift, "angle, lift\n0, 0\n90, high\n").unwrap();
-    assert_refused(&with(&cam, "", ""), &["line 3"]);
+    assert_refused(&with(&cam, "", ""), &["line 3", "degrees", "metres"]);
+    let angles =
+        |keep: fn(&u32) -> bool| (0..90).filter(keep).map(|k| format!("{} 0\n", 4 * k)).collect::<String>();
+    fs::write(&lift, angles(|k| *k != 40)).unwrap();
+    assert_refused(&with(&cam, "", ""), &["angle 164 follows 156", "even steps"]);
+    fs::write(&lift, angles(|_| true).replace("\n8 0", "\n8 6000")).unwrap();
+    assert_refused(&with(&cam, "", ""), &["6000 m", "lifts are in metres"]);
     assert!(!path.exists());
+    let heavy = with(&FZG, "94.1", "1e6");
+    let heavy = stribeck(&heavy.iter().map(String::as_str).collect::<Vec<_>>());
+    assert!(error_of(&heavy).contains("N/m is implausible"), "{heavy:?}");
 }
 
 #[test]
@@ -239,6 +250,9 @@ fn history_of_a_cycle_prints_and_writes_a_line_per_solved_cycle() {
     assert!(output.status.success(), "{}", error_of(&output));
     let json = json_of(&output);
     let cycles = json["cycles"].as_array().unwrap();
+    let printed = stribeck(&["cycle", text(&path), "--force", "--out", text(folder.path())]).stdout;
+    let printed = String::from_utf8(printed).unwrap();
+    assert!(printed.contains("disc, m/s  load, N/m"), "{printed}");
     // Archard's K F s/H of the total load, K/H = 5.45e-8/6 GPa.
     let expected = |cycles: f64| 5.45e-8 / 6e9 * 1e5 * 0.2 * 1e-3 * cycles;
     for (cycle, count) in cycles.iter().zip([100.0, 200.0]) {

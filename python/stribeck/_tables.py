@@ -177,7 +177,7 @@ class RoughnessBall(Numbers):
     height: str
     boundary: str
     seed: int | str
-    cells: list[float]
+    cells: list[int]
     hurst: float
     roll_off: float
     longest: float
@@ -205,7 +205,7 @@ class RoughnessDisc(Numbers):
     height: str
     boundary: str
     seed: int | str
-    cells: list[float]
+    cells: list[int]
     hurst: float
     roll_off: float
     longest: float

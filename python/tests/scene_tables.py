@@ -32,13 +32,15 @@ _NO_SUCH = "no_such"
 _BESIDE: dict[str, dict[str, Any]] = {"wear": {"pressure": "solid", "exposure": "track"}}
 #: A value of no type that a key has, but tables.
 _TABLE = {_NO_SUCH: {}}
+#: A list of elements of no type that a key has.
+_ELEMENTS = [True, True]
 #: Words of the crate for the types of values.
 _TYPES = {
     "a seed is a whole number": "int | str",
     "a whole number from 0": "int",
     "a number": "float",
     "true or false": "bool",
-    "a list": "list[float]",
+    "a list": "list",
 }
 #: Tables that are classes of their own, and those whose keys are in a table of another form.
 _APART, _SCHEDULE = "grid", "schedule"
@@ -91,11 +93,16 @@ def _type(path: str) -> str:
     """The type of a value."""
     table, _, key = path.rpartition(".")
     variants = _variants(table) if table else None
-    answers = [_answer(path, _TABLE)]
-    if variants and key != variants[0]:
-        tag, values = variants
-        answers = [_answer(table, {**_BESIDE.get(table, {}), tag: value, key: _TABLE}) for value in values]
-    return next((kind for words, kind in _TYPES.items() for answer in answers if words in answer), "str")
+
+    def named(given: Any) -> str:
+        answers = [_answer(path, given)]
+        if variants and key != variants[0]:
+            tag, values = variants
+            answers = [_answer(table, {**_BESIDE.get(table, {}), tag: value, key: given}) for value in values]
+        return next((kind for words, kind in _TYPES.items() for answer in answers if words in answer), "str")
+
+    found = named(_TABLE)
+    return f"list[{named(_ELEMENTS)}]" if found == "list" else found
 
 
 def explained(tables: list[str]) -> dict[str, str]:

@@ -184,7 +184,7 @@ fn report(solution: &CycleSolution, kind: Kind) -> String {
         if points.iter().any(|point| point.angle.is_some()) { "angle, deg" } else { "time, s" },
         "ball, m/s",
         "disc, m/s",
-        "load",
+        if is_line { "load, N/m" } else { "load, N" },
         if is_rough { "h mean,nm" } else { "h, nm" },
         "h min, nm",
         format!("p, {unit}"),

@@ -26,7 +26,25 @@ pub(crate) fn note(scene: &Scene, path: &Path) -> Option<String> {
     Some(format!(
         "one random surface: on strips of five correlation lengths the friction of others scatters by 5 % in a full film and by 14 % in mixed \
          contact;\n           `stribeck sweep {} {}{side_by_side} --out seeds` writes those of four",
-        path.display(),
+        shell_word(&path.display().to_string()),
         keys.join(" ")
     ))
+}
+
+/// `text` as one word of a shell: in quotes where it has other characters than those of plain paths.
+fn shell_word(text: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+".contains(c);
+    if text.chars().all(is_plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', r"'\''")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shell_word;
+
+    #[test]
+    fn paths_are_one_word_of_a_shell() {
+        assert_eq!(shell_word("scenes/strip-2.toml"), "scenes/strip-2.toml");
+        assert_eq!(shell_word("my strip.toml"), "'my strip.toml'");
+        assert_eq!(shell_word("it's.toml"), r"'it'\''s.toml'");
+    }
 }

@@ -18,7 +18,7 @@ const REMEDIES: [(&str, &str); 3] = [
 ];
 
 /// Terms of the parser and their replacements for readers of scene files.
-const WORDS: [(&str, &str); 27] = [
+const WORDS: [(&str, &str); 28] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number from 0"),
     ("expected u64", "expected a whole number from 0"),
@@ -32,6 +32,7 @@ const WORDS: [(&str, &str); 27] = [
     ("invalid type: string", "text"),
     ("invalid type: map", "a table"),
     ("expected an array of length 2", "expected a list of two numbers"),
+    ("elements in sequence", "values"),
     ("floating point", "number"),
     ("invalid type: integer", "whole number"),
     ("invalid value: integer", "whole number"),

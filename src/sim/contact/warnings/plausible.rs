@@ -5,11 +5,12 @@
 
 use super::Warning;
 use super::quantity::{
-    ACTIVATION, ACTIVATION_VOLUME, BARRIER, COMPRESSIBILITY, CONTACT_FILM, DEPTH, FILM, FORCE, FRICTION,
-    HARDENING, HARDNESS, HEAT_CONDUCTIVITY, HEAT_DIFFUSIVITY, HEIGHT, HERTZ_PRESSURE, LAYER, LONGER_RADIUS,
-    MODULUS, OIL_CONDUCTIVITY, OIL_HEAT_CAPACITY, OIL_TEMPERATURE, PRESSURE_VISCOSITY, Plausible, RADIUS,
-    REMOVAL, ROELANDS_INDEX, ROELANDS_PRESSURE, SLIDE_ROLL_RATIO, SPEED, STRENGTH, STRESS, STRESS_RATIO,
-    TEMPERATURE, TOLERANCE, TRACK_RADIUS, TRIBOFILM, VISCOSITY, WEAR, WEAR_PER_ENERGY, rq_range,
+    ACTIVATION, ACTIVATION_VOLUME, BARRIER, COMPRESSIBILITY, CONTACT_FILM, DEPTH, FILM, FORCE,
+    FORCE_PER_LENGTH, FRICTION, HARDENING, HARDNESS, HEAT_CONDUCTIVITY, HEAT_DIFFUSIVITY, HEIGHT,
+    HERTZ_PRESSURE, LAYER, LONGER_RADIUS, MODULUS, OIL_CONDUCTIVITY, OIL_HEAT_CAPACITY, OIL_TEMPERATURE,
+    PRESSURE_VISCOSITY, Plausible, RADIUS, REMOVAL, ROELANDS_INDEX, ROELANDS_PRESSURE, SLIDE_ROLL_RATIO,
+    SPEED, STRENGTH, STRESS, STRESS_RATIO, TEMPERATURE, TOLERANCE, TRACK_RADIUS, TRIBOFILM, VISCOSITY, WEAR,
+    WEAR_PER_ENERGY, rq_range,
 };
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
@@ -142,9 +143,10 @@ fn bodies(scene: &Scene) -> Vec<Entry> {
 /// Load, speeds and temperature, the smallest and the largest of a schedule.
 fn conditions(scene: &Scene) -> Vec<Entry> {
     let (schedule, motion) = (&scene.schedule, scene.motion);
+    let force = || if scene.form.is_line() { FORCE_PER_LENGTH } else { FORCE };
     let mut list = vec![
         entry("load.hertz_pressure", scene.load.hertz_pressure, HERTZ_PRESSURE),
-        entry("load.force", scene.load.force, FORCE),
+        entry("load.force", scene.load.force, force()),
         entry("motion.entrainment_speed", motion.entrainment_speed, SPEED),
         entry("motion.slide_roll_ratio", motion.slide_roll_ratio, SLIDE_ROLL_RATIO),
         entry("motion.spin_radius", motion.spin_radius.map(f64::abs), LONGER_RADIUS),
@@ -155,7 +157,7 @@ fn conditions(scene: &Scene) -> Vec<Entry> {
         ),
     ];
     for (key, schedule, range) in [
-        ("load", &schedule.load, FORCE),
+        ("load", &schedule.load, force()),
         ("entrainment_speed", &schedule.entrainment_speed, SPEED),
         ("slide_roll_ratio", &schedule.slide_roll_ratio, SLIDE_ROLL_RATIO),
         ("bulk_temperature", &schedule.bulk_temperature, TEMPERATURE),

@@ -33,6 +33,7 @@ const METRE_PER_SECOND: Unit = unit("m/s", &[("mm/s", 1e-3, 0.0)]);
 const PASCAL_SECOND: Unit = unit("Pa s", &[("mPa s", 1e-3, 0.0)]);
 const KELVIN: Unit = unit("K", &[("degC", 1.0, 273.15)]);
 const NEWTON: Unit = unit("N", &[("mN", 1e-3, 0.0)]);
+const NEWTON_PER_METRE: Unit = unit("N/m", &[("mN/m", 1e-3, 0.0), ("kN/m", 1e3, 0.0)]);
 const DIFFUSIVITY: Unit = unit("m^2/s", &[("mm^2/s", 1e-6, 0.0)]);
 const CONDUCTIVITY: Unit = unit("W/(m K)", &[]);
 const JOULE: Unit = unit("J", &[("eV", 1.602176634e-19, 0.0), ("kJ/mol", 1.66053906717e-21, 0.0)]);
@@ -74,6 +75,8 @@ pub(super) const MODULUS: Plausible = plausible(1e6, 3e12, 2e11, &PASCAL);
 pub(super) const HERTZ_PRESSURE: Plausible = plausible(1e3, 3e10, 1e9, &PASCAL);
 /// Loads, from a microscope to a rolling mill.
 pub(super) const FORCE: Plausible = plausible(1e-9, 1e7, 50.0, &NEWTON);
+/// Loads of line contacts.
+pub(super) const FORCE_PER_LENGTH: Plausible = plausible(1e-9, 1e8, 1e5, &NEWTON_PER_METRE);
 /// Entrainment speeds.
 pub(super) const SPEED: Plausible = plausible(1e-9, 200.0, 0.3, &METRE_PER_SECOND);
 /// Above 2 the surfaces move in opposite directions.

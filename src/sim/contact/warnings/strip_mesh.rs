@@ -27,7 +27,7 @@ pub(super) fn long_cells(scene: &Scene) -> Option<Warning> {
         Warning::new(
             "grid.nx",
             grid.nx() as f64,
-            format!("the cells are {} times as long along the flow as across it: mixed strips often do not converge", short(ratio)),
+            format!("the cells are {ratio:.1} times as long along the flow as across it: mixed strips often do not converge"),
             format!("at least {least} cells along x, or fewer along y"),
         )
     })

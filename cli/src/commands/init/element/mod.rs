@@ -21,6 +21,9 @@ const DRY_BOX: f64 = 3.0;
 /// Keys of `[grid]` of line contacts.
 const LINE_GRID: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
 
+/// The table of the solver of a lubricated contact on given cells.
+const ESTIMATE: &str = "\n[solver]\nestimate = true # errors of the mesh\n";
+
 /// Temperature of the oil in the inlet where no standard names one \[degC\].
 const USUAL_CELSIUS: f64 = 60.0;
 
@@ -176,8 +179,7 @@ fn round_grid([radius, force]: [f64; 2], modulus: f64, is_dry: bool) -> Result<S
     } else {
         let [inlet, outlet, side] = [3.5, 1.7, 2.0].map(length);
         format!(
-            "nx = 128\nny = 108\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\ny = [\"-{side} um\", \"{side} um\"]\n\n\
-             [solver]\nestimate = true # errors of the mesh\n"
+            "nx = 128\nny = 108\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\ny = [\"-{side} um\", \"{side} um\"]\n{ESTIMATE}"
         )
     })
 }

@@ -8,7 +8,7 @@ use stribeck::sim::scene::GridSpec;
 use super::super::answers::disc;
 use super::super::disc::{Disc, STRIP};
 use super::super::{GAP_BEYOND, HARDNESS, Options as Init, REACH, ROOM, plain, rounded};
-use super::{Element, given, text};
+use super::{ESTIMATE, Element, given, text};
 
 /// Ends of the box of a line contact before and behind the middle, in half-widths.
 const ENDS: [f64; 2] = [3.5, 1.7];
@@ -55,5 +55,6 @@ pub(super) fn roughened(options: &Init, name: &str, element: Element) -> Result<
         let [inlet, outlet] = [inlet, outlet].map(length);
         format!("{STRIP}nx = {cells}\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\n")
     };
-    Ok(Element { grid: box_and_cells + &disc.tables(&options.file, HARDNESS)?, ..element })
+    let estimate = if element.is_dry { "" } else { ESTIMATE };
+    Ok(Element { grid: box_and_cells + &disc.tables(&options.file, HARDNESS)? + estimate, ..element })
 }

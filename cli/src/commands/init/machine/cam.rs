@@ -18,37 +18,58 @@ pub(super) const OPTIONS: [&str; 6] =
     ["--base-circle", "--face-width", "--rotation", "--spring-rate", "--preload", "--mass"];
 /// Relative difference of angle steps that counts as equal.
 const EVEN: f64 = 1e-3;
+/// Largest lift over the radius of the base circle.
+const LARGEST_LIFT: f64 = 10.0;
 
-/// Lifts \[m\] at even angles of a turn, and their first angle \[rad\].
-fn lifts(options: &Options) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
-    let path = options.cam.as_ref().ok_or("--cam is missing")?;
-    let refused = |reason: String| -> Box<dyn Error> { format!("--cam {}: {reason}", path.display()).into() };
-    let text = fs::read_to_string(path).map_err(|error| refused(files::io_words(&error)))?;
+/// Angles \[deg\] and lifts \[m\] of the lines of `text`; an error in words.
+fn rows(text: &str) -> Result<[Vec<f64>; 2], String> {
     let (mut angles, mut lifts) = (Vec::new(), Vec::new());
     for (index, line) in text.lines().enumerate() {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
             continue;
         }
-        let cells: Vec<Option<f64>> = line.split(',').map(|cell| cell.trim().parse().ok()).collect();
-        match *cells.as_slice() {
+        let cells: Vec<&str> = if line.contains([',', ';']) {
+            line.split([',', ';']).map(str::trim).collect()
+        } else {
+            line.split_whitespace().collect()
+        };
+        let values: Vec<Option<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
+        match *values.as_slice() {
             [Some(angle), Some(lift)] if f64::is_finite(angle) && f64::is_finite(lift) => {
                 angles.push(angle);
                 lifts.push(lift);
             }
-            [None, None] if angles.is_empty() => {}
-            _ => return Err(refused(format!("line {} is not an angle and a lift: `{line}`", index + 1))),
+            _ if angles.is_empty() && values.iter().all(Option::is_none) => {}
+            _ => {
+                return Err(format!(
+                    "line {} is not an angle in degrees and a lift in metres, as in `12.5, 1e-3`: `{line}`",
+                    index + 1
+                ));
+            }
         }
     }
+    Ok([angles, lifts])
+}
+
+/// Lifts \[m\] at even angles of a turn, and their first angle \[rad\].
+fn lifts(options: &Options) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
+    let path = options.cam.as_ref().ok_or("--cam is missing")?;
+    let refused = |reason: String| -> Box<dyn Error> { format!("--cam {}: {reason}", path.display()).into() };
+    let text = fs::read_to_string(path).map_err(|error| refused(files::io_words(&error)))?;
+    let [angles, mut lifts] = rows(&text).map_err(refused)?;
     let count = angles.len();
     if count < 16 {
         return Err(refused(format!("has {count} lines, a lift needs at least 16")));
     }
-    let step = (angles[count - 1] - angles[0]) / (count - 1) as f64;
+    // The median: a missing line or one twice is named, not the first.
+    let mut steps: Vec<f64> = angles.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    let step = steps[steps.len() / 2];
     if let Some(row) = angles.windows(2).position(|pair| (pair[1] - pair[0] - step).abs() > EVEN * step.abs())
     {
         return Err(refused(format!(
-            "angle {} follows {}: the angles must have even steps",
+            "angle {} follows {}: the angles must have even steps, as those of {step} degrees",
             angles[row + 1],
             angles[row]
         )));
@@ -57,7 +78,10 @@ fn lifts(options: &Options) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
     if (step * (count - 1) as f64 - 360.0).abs() < EVEN * step {
         lifts.pop();
     } else if (step * count as f64 - 360.0).abs() > EVEN * step * count as f64 {
-        return Err(refused(format!("the angles cover {:.3} degrees, not a turn", step * count as f64)));
+        return Err(refused(format!(
+            "the angles cover {:.3} degrees, not a turn of 360",
+            step * count as f64
+        )));
     }
     Ok((lifts, angles[0].to_radians()))
 }
@@ -67,6 +91,13 @@ pub(super) fn machine(options: &Options) -> Result<Machine, Box<dyn Error>> {
     let (lift, first) = lifts(options)?;
     let base = length("--base-circle", &options.base_circle)?;
     let width = length("--face-width", &options.face_width)?;
+    let highest = lift.iter().copied().fold(0.0, f64::max);
+    if highest > LARGEST_LIFT * base {
+        return Err(format!(
+            "--cam: the lift of {highest} m is more than {LARGEST_LIFT} times the base circle of {base} m; lifts are in metres"
+        )
+        .into());
+    }
     let rate = TAU * number("--rotation", options.rotation)? / 60.0;
     let [spring, mass] = [number("--spring-rate", options.spring_rate)?, number("--mass", options.mass)?];
     let preload = options.preload.as_ref().ok_or("--preload is missing")?;

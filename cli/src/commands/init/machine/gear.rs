@@ -98,8 +98,13 @@ impl Path {
             None => reference * angle.cos() / working_angle(angle, (shift[0] + shift[1]) / sum).cos(),
         };
         let cosine = reference * angle.cos() / centre;
-        let requirement = "more than the sum of the base radii";
-        output::require(cosine < 1.0, "--centre-distance", centre, requirement)?;
+        if cosine >= 1.0 {
+            return Err(format!(
+                "--centre-distance = {centre} m: must be more than the sum of the base radii, {:.6} m",
+                centre * cosine
+            )
+            .into());
+        }
         // The tips are cut so that the clearance is kept.
         let cut = (shift[0] + shift[1] - (centre - reference) / module).max(0.0);
         let tip = [0, 1].map(|k| module * (0.5 * teeth[k] + 1.0 + shift[k] - cut));

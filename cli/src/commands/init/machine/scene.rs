@@ -10,7 +10,7 @@ use stribeck::surface::Form;
 
 use super::super::answers::Answers;
 use super::super::disc::{Disc, STRIP};
-use super::super::{HARDNESS, Options, STEEL, oil, plain, rounded};
+use super::super::{HARDNESS, LARGEST_SLOPE, Options, STEEL, oil, plain, rounded};
 use super::Machine;
 
 /// Distance of the edges of the box from the middle, in the widest half-width: upstream, and downstream.
@@ -43,7 +43,20 @@ fn longest_inlet(text: &str, machine: &Machine) -> Result<f64, Box<dyn Error>> {
         if scene.is_lubricated() && speed > 0.0 {
             scene.motion.entrainment_speed = speed;
             let half_width = scene.hertz()?.half_width_x;
-            longest = longest.max(half_width * super::super::flooded_inlet(&scene, half_width)?);
+            let inlet = half_width * super::super::flooded_inlet(&scene, half_width)?;
+            // The usual box reaches over shorter inlets, however wide the contact is.
+            if inlet > (LARGEST_SLOPE * radius).max(UPSTREAM * half_width) {
+                return Err(format!(
+                    "row {} of the cycle: under {load:.4e} {} at {speed:.4e} m/s the oil fills an inlet of {} mm, more than {LARGEST_SLOPE} of the \
+                     radius of {} mm; more load, or less speed or viscosity",
+                    k + 1,
+                    if machine.is_line { "N/m" } else { "N" },
+                    plain(1e3 * inlet),
+                    plain(1e3 * radius)
+                )
+                .into());
+            }
+            longest = longest.max(inlet);
         }
     }
     Ok(longest)
