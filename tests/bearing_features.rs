@@ -289,3 +289,38 @@ fn unsolved_bearings_have_no_results_and_piezoviscous_oils_warn() {
     let ratio = moderate.numbers.viscosity_ratio;
     assert!(ratio > 1.1 && moderate.warnings[0].message.contains(&format!("{ratio:.3} times")));
 }
+
+/// A journal in water has Taylor vortices from a Reynolds number of 41.2 sqrt(R/c) = 921 on, a pad is turbulent above 1000.
+#[test]
+fn bearings_with_a_film_that_is_not_laminar_warn() {
+    let warnings = |table: &str, oil: &str| {
+        let text = format!("[given_film]\nnx = 60\nny = 12\n{table}[lubricant]\n{oil}");
+        let solution = RigidBearing::from_toml(&text).unwrap().solve(|| false).unwrap();
+        assert!(solution.film.report.require_converged().is_ok(), "{text}");
+        let about = solution.warnings.into_iter().filter(|warning| warning.field == "given_film.speed");
+        about.map(|warning| warning.message).collect::<Vec<_>>()
+    };
+    let journal = |speed: f64| {
+        format!(
+            "kind = \"journal\"\ndiameter = 0.1\nwidth = 0.05\nclearance = 100e-6\neccentricity = 0.3\nspeed = {speed}\n"
+        )
+    };
+    let pad = |speed: f64| {
+        format!(
+            "kind = \"pad\"\nlength = 0.05\nwidth = 0.05\ninlet_film = 100e-6\noutlet_film = 60e-6\nspeed = {speed}\n"
+        )
+    };
+    // rho u h/eta with 870 kg/m^3 and 1 mPa s
+    let water = "eta0 = 1e-3\n";
+    for (table, reynolds, limit) in
+        [(journal(20.0), "is 1740", "= 921"), (pad(20.0), "is 1392", "above 1000")]
+    {
+        let found = warnings(&table, water);
+        assert!(found.len() == 1 && found[0].contains(reynolds) && found[0].contains(limit), "{found:?}");
+    }
+    for table in [journal(10.5), pad(14.0)] {
+        assert_eq!(warnings(&table, water), Vec::<String>::new(), "{table}");
+    }
+    let oil = "grade = \"ISO VG 32\"\nviscosity_index = 95\nalpha = 0\n";
+    assert_eq!(warnings(&journal(20.0), oil), Vec::<String>::new());
+}

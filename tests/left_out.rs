@@ -229,7 +229,7 @@ fn steep_and_high_roughness_warns() {
             .to_vec()
     };
     // The gradient of a Gaussian autocorrelation is 3.03 Rq/l, on cells of a fifth of the length a little less.
-    for (rq, count) in [("1.5e-6", 0), ("2.5e-6", 1)] {
+    for (rq, count) in [("4.5e-6", 0), ("7.5e-6", 1)] {
         assert_eq!(about(&rough(rq), "roughness.disc_gradient").len(), count, "{rq}");
     }
     // The Hertz approach is 1.14 um at 0.8 GPa.

@@ -44,6 +44,11 @@ fn load_on_solids_is_within_the_range_of_check() {
         assert!(range[0] - 0.05 < found && found < range[1] + 0.05, "{about}: {found} beside {range:?}");
         let words = report.lines().find(|line| line.starts_with("load ")).unwrap();
         assert!(found < 0.05 || !words.contains("full film"), "{about}: {found}, {words}");
+        assert_eq!(
+            words.contains("full film"),
+            words.contains("by the inlets of the asperities"),
+            "{about}: {words}"
+        );
         assert!(found > 0.7 || !words.contains("boundary"), "{about}: {found}, {words}");
     }
 }
@@ -268,6 +273,9 @@ fn contact_film_is_printed_with_its_effect_on_load_and_friction() {
         let exact = 1.0 / (1.0 + (1.0 / share - 1.0) * factor.powf(-4.4));
         assert!((end - exact).abs() < 1e-9, "{end} {exact}");
     }
+    let exact = 1.23 * (1.0 / share - 1.0).powf(1.0 / 3.3);
+    let number = contact["inlet_number"].as_f64().unwrap();
+    assert!((number / exact - 1.0).abs() < 1e-9, "{number} {exact}");
     let friction: Vec<f64> = serde_json::from_value(contact["friction_by_contact_film"].clone()).unwrap();
     let all = numbers["friction"]["coefficient"].as_f64().unwrap();
     assert!(friction[0] < all && all < friction[1], "{friction:?} {all}");

@@ -248,7 +248,7 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     let swims = ["init", text(&path), "--load", "1", "--speed", "10", "--eta0", "100 mPa s"];
     assert_refused(&swims, &["--speed = 10", "more load"]);
     let short = ["init", text(&path), "--roughness", "50 nm", "--length", "1 um"];
-    assert_refused(&short, &["more than 512", "--length", "--cells"]);
+    assert_refused(&short, &["more than 262144 nodes", "--length", "--cells"]);
     let few = ["init", text(&path), "--roughness", "50 nm", "--length", "5 um", "--cells", "64"];
     assert_refused(&few, &["--cells = 64", "less than 3 cells"]);
     assert_refused(&["init", text(&path), "--roughness", "50 nm"], &["--length is missing", "--finish"]);

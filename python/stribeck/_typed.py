@@ -304,6 +304,7 @@ class ExpectedFilm(Numbers):
     central: float
     lambda_: float | None
     load_ratio: float | None
+    inlet_number: float | None
     load_ratio_range: list[float] | None
     load_ratio_by_contact_film: list[float] | None
     friction_by_contact_film: list[float] | None

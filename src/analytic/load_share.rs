@@ -2,8 +2,6 @@
 
 use crate::error::InputError;
 
-/// Inlet number at which solids carry half of the load.
-const HALF: f64 = 1.23;
 /// Steepness of the transition.
 const STEEPNESS: f64 = 3.3;
 
@@ -47,6 +45,9 @@ pub struct MixedLoadShare {
 }
 
 impl MixedLoadShare {
+    /// Inlet number at which solids carry half of the load.
+    pub const HALF: f64 = 1.23;
+
     /// The inlet number `L`.
     ///
     /// # Errors
@@ -91,6 +92,6 @@ impl MixedLoadShare {
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn load_ratio(&self) -> Result<f64, InputError> {
-        Ok(1.0 / (1.0 + (self.inlet_number()? / HALF).powf(STEEPNESS)))
+        Ok(1.0 / (1.0 + (self.inlet_number()? / Self::HALF).powf(STEEPNESS)))
     }
 }

@@ -206,6 +206,7 @@ impl Expected {
                 "load_ratio": film.and_then(|film| film.load_ratio),
                 "load_ratio_range": film.and_then(|film| film.load_ratio_range),
                 "film_cutoff": film.map(|_| self.sim.scene().solver.film_cutoff),
+                "inlet_number": film.and_then(|film| film.inlet_number),
                 "load_ratio_by_contact_film": film.and_then(|film| film.load_ratio_by_contact_film),
                 "friction_by_contact_film": film.and_then(|film| film.friction_by_contact_film),
             },

@@ -19,7 +19,7 @@ use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
 
 use self::answers::Answers;
-use self::disc::Finish;
+use self::disc::{Disc, Finish};
 use crate::files;
 use crate::output::{self, Outcome};
 
@@ -123,7 +123,7 @@ pub(crate) struct Options {
     /// File of a measured surface, in place of --roughness
     #[arg(long, value_name = "FILE", conflicts_with_all = ["roughness", "finish"])]
     surface: Option<PathBuf>,
-    /// Cells along each side of the box [default: four in the correlation length, at least 64 and at most 512; smooth 128]
+    /// Cells along each side of the box [default: four in the correlation length, at least 64 and at most 262 144 nodes; smooth 128]
     #[arg(
         long, allow_hyphen_values = true,
         value_parser = |text: &str| output::count::<u32>("--cells", text, 16..=MOST_CELLS)
@@ -249,6 +249,7 @@ fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>>
     let touching = half_width * (1.0 + beyond + ROOM);
     let half_side = rounded((BOX * half_width.max(inlet / LONGEST_INLET)).max(touching));
     let cells = disc.cells(options.cells, 2.0 * half_side)?;
+    Disc::require_nodes(options.cells, [cells; 2])?;
     let cell = 2.0 * half_side / f64::from(cells);
     let more = ((inlet - half_side) / cell).ceil().max(0.0);
     let inlet = half_side + more * cell;

@@ -18,7 +18,7 @@ use crate::lubricant::Lubricant;
 use crate::report::Status;
 use crate::reynolds::{ElasticBore, GivenFilmSolution, MeanRoughness, ReynoldsError};
 use crate::sim::contact::oil;
-use crate::sim::contact::warnings::{Warning, bearing_warnings, unsolved_bearing};
+use crate::sim::contact::warnings::{Warning, bearing_warnings, turbulent_film, unsolved_bearing};
 use crate::sim::error::SimError;
 use crate::sim::scene::{
     BearingFile, BearingSpec, Document, GrooveSpec, HeatBalance, HoleSpec, LubricantSpec, PadRelief,
@@ -135,12 +135,12 @@ impl RigidBearing {
             Some(balance) => heat::solve(self, balance, &interrupted)?,
         };
         if solution.film.report.status == Status::Converged {
-            let warnings = bearing_warnings(
-                [solution.numbers.load, solution.numbers.temperature],
-                self.lubricant.oil.as_ref(),
-                self.relief.as_ref(),
-            );
-            solution.warnings.extend(warnings);
+            let (numbers, oil) = (&solution.numbers, self.lubricant.oil.as_ref());
+            let warnings = bearing_warnings([numbers.load, numbers.temperature], oil, self.relief.as_ref());
+            let mean_film = solution.thickness.iter().sum::<f64>() / solution.thickness.len() as f64;
+            let turbulent =
+                turbulent_film(&self.bearing, [mean_film, numbers.eta0, numbers.temperature], oil);
+            solution.warnings.extend(warnings.into_iter().chain(turbulent));
         } else {
             solution.warnings.push(unsolved_bearing(
                 [solution.numbers.alpha, solution.numbers.viscosity_ratio],

@@ -75,6 +75,8 @@ pub struct ExpectedFilm {
     /// Load ratio by the inlets of asperities ([`MixedLoadShare`]); zero for a full film between smooth bodies,
     /// `None` where no formula holds.
     pub load_ratio: Option<f64>,
+    /// Inlet number of the asperities ([`MixedLoadShare::inlet_number`]); `None` where they do not decide the load ratio.
+    pub inlet_number: Option<f64>,
     /// Smallest and largest load ratio of solutions at this inlet number; `None` where no formula holds.
     pub load_ratio_range: Option<[f64; 2]>,
     /// Load ratio by the inlets of asperities at half and at twice the contact film; `None` where they do not decide.
@@ -91,10 +93,12 @@ pub struct ExpectedFilm {
 }
 
 /// Load on solids over the load.
+#[derive(Default)]
 struct LoadShare {
     /// `None` if only the range is known.
     share: Option<f64>,
     range: [f64; 2],
+    inlet_number: Option<f64>,
     /// At half and at twice the contact film, where the inlets of asperities decide.
     by_contact_film: Option<[f64; 2]>,
 }
@@ -211,6 +215,7 @@ impl MixedLubricationSim {
         let heated = IsothermalFriction { boundary, fluid, film: central };
         let rises = film_rise(scene, hertz, &conditions, law, heated)?;
         let load_ratio = share.as_ref().and_then(|load| load.share);
+        let inlet_number = share.as_ref().and_then(|load| load.inlet_number);
         let load_ratio_range = share.as_ref().map(|load| load.range);
         let load_ratio_by_contact_film = share.and_then(|load| load.by_contact_film);
         let all = |shares: Option<[f64; 2]>| {
@@ -224,6 +229,7 @@ impl MixedLubricationSim {
             central,
             lambda,
             load_ratio,
+            inlet_number,
             load_ratio_range,
             load_ratio_by_contact_film,
             friction_by_contact_film: all(load_ratio_by_contact_film),
@@ -250,7 +256,7 @@ impl MixedLubricationSim {
             _ => (None, [0.5, 1.0]),
         };
         if roughness.composite_rq == 0.0 {
-            return Ok(Some(LoadShare { share: smooth, range: smooth_range, by_contact_film: None }));
+            return Ok(Some(LoadShare { share: smooth, range: smooth_range, ..LoadShare::default() }));
         }
         let law = lubricant.viscosity();
         let alpha = law.log_slope(0.0);
@@ -271,12 +277,13 @@ impl MixedLubricationSim {
         let (share, least, most) = (at(1.0)?, at(above)?, at(below)?);
         let [_, most_smooth] = smooth_range;
         Ok(Some(if most_smooth > most {
-            LoadShare { share: None, range: [least, most_smooth], by_contact_film: None }
+            LoadShare { range: [least, most_smooth], ..LoadShare::default() }
         } else {
             let at_film =
                 |factor: f64| MixedLoadShare { contact_film: factor * contact_film, ..inlets }.load_ratio();
             let by_contact_film = Some([at_film(0.5)?, at_film(2.0)?]);
-            LoadShare { share: Some(share), range: [least, most], by_contact_film }
+            let inlet_number = Some(inlets.inlet_number()?);
+            LoadShare { share: Some(share), range: [least, most], inlet_number, by_contact_film }
         }))
     }
 }

@@ -1,5 +1,6 @@
 //! The report of `check` for people.
 
+use stribeck::analytic::MixedLoadShare;
 use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{Expectation, ExpectedFilm};
 use stribeck::units::by_size;
@@ -204,7 +205,13 @@ fn load_words(film: &ExpectedFilm) -> String {
     if most == 0.0 {
         "full film: the oil carries all of it".to_owned()
     } else if most < FULL_FILM {
-        format!("full film: the oil carries it, solids less than {}", per_cent(FULL_FILM))
+        let reason = film.inlet_number.map_or_else(String::new, |number| {
+            format!(
+                ", by the inlets of the asperities and not by lambda (inlet number {number:.1}; half of the load at {})",
+                MixedLoadShare::HALF
+            )
+        });
+        format!("full film: the oil carries it, solids less than {}{reason}", per_cent(FULL_FILM))
     } else if least > BOUNDARY {
         format!("boundary lubrication: solids carry {about}at least {}", per_cent(BOUNDARY))
     } else {

@@ -16,13 +16,16 @@ use super::{MOST_CELLS, plain, rounded};
 const CELLS_IN_LENGTH: f64 = 4.0;
 /// With `--cells` at least.
 const FEWEST_IN_LENGTH: f64 = 3.0;
-/// Cells across the contact and its surroundings: at least, of a smooth contact, and at most unless `--cells` says.
+/// Cells across the contact and its surroundings: at least, and of a smooth contact.
 const FEWEST_CELLS: u32 = 64;
 const SMOOTH_CELLS: u32 = 128;
-const MOST_CHOSEN: u32 = 512;
+/// Most nodes of a box unless `--cells` says, and the cells of a square with as many.
+const MOST_NODES: u32 = SQUARE * SQUARE;
+const SQUARE: u32 = 512;
 /// Keys of `[grid]` of a strip of a rough line contact: on a single row oil could not flow around asperities.
 pub(super) const STRIP: &str =
     "across = \"periodic\" # a strip of the contact, five correlation lengths wide\nny = 20\n";
+pub(super) const STRIP_ROWS: u32 = 20;
 /// Value of the autocorrelation at which a length is measured, and the length over `L` there.
 const THRESHOLD: f64 = 0.2;
 const LENGTH_AT_THRESHOLD: f64 = 0.836;
@@ -174,21 +177,26 @@ impl Disc {
         // An even number has a half, on which errors are estimated.
         let cells = 2.0 * (0.5 * wanted(cell)).ceil();
         match self {
-            Self::Measured(_) => Ok(cells.clamp(f64::from(FEWEST_CELLS), f64::from(MOST_CHOSEN)) as u32),
-            _ if cells > f64::from(MOST_CHOSEN) => {
-                let by_option = if cells > MOST_CELLS as f64 {
-                    String::new()
-                } else {
-                    format!(", or --cells {cells} (at most {MOST_CELLS})")
-                };
-                Err(format!(
-                    "a box of {} um takes {cells} cells of a quarter of the correlation length along each side, more than {MOST_CHOSEN}; a longer \
-                     --length, a smaller load{by_option}",
-                    plain(1e6 * size)
-                ))
-            }
+            Self::Measured(_) => Ok(cells.clamp(f64::from(FEWEST_CELLS), f64::from(SQUARE)) as u32),
             _ => Ok((cells as u32).max(FEWEST_CELLS)),
         }
+    }
+
+    /// Error for more nodes than [`MOST_NODES`] that the option `--cells` has not `asked` for.
+    pub(super) fn require_nodes(asked: Option<u32>, [nx, ny]: [u32; 2]) -> Result<(), String> {
+        if asked.is_some() || nx.saturating_mul(ny) <= MOST_NODES {
+            return Ok(());
+        }
+        let longest = nx.max(ny);
+        let by_option = if u64::from(longest) > MOST_CELLS {
+            String::new()
+        } else {
+            format!(", or --cells {longest} (at most {MOST_CELLS})")
+        };
+        Err(format!(
+            "the box takes {nx} x {ny} cells of a quarter of the correlation length, more than {MOST_NODES} nodes; a longer --length, a smaller \
+             load{by_option}"
+        ))
     }
 
     /// Refuses a measured surface smaller than the box of the `size` \[m\].

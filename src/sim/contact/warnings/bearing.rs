@@ -4,7 +4,15 @@ use super::Warning;
 use super::given_film::{ISOVISCOUS, LARGEST_RISE};
 use super::limits::{negative_index, steep_dimples};
 use super::quantity::OIL_TEMPERATURE;
-use crate::sim::scene::{OilSpec, PadRelief};
+use crate::lubricant::petroleum_density;
+use crate::sim::scene::{BearingSpec, OilSpec, PadRelief};
+
+/// Reynolds number `rho u c/eta` of a journal over `sqrt(R/c)` above which the film has Taylor vortices (Taylor, G. I. (1923),
+/// Philosophical Transactions of the Royal Society A 223, 289-343; Frene, J. and others (1997), Hydrodynamic Lubrication, Elsevier).
+const TAYLOR: f64 = 41.2;
+/// Reynolds number `rho u h/eta` above which films without curvature become turbulent (Harnoy, A. (2003), Bearing Design in
+/// Machinery, section 5.5: the transition begins at about 1000 and ends at about 1600).
+const TRANSITION: f64 = 1000.0;
 
 /// Warnings about a solved bearing of a scene with its load \[N\] and the temperature of its oil \[K\]: one without load, an oil by its data sheet at a temperature that oils do not have, steep dimples.
 pub(in crate::sim) fn bearing_warnings(
@@ -32,6 +40,38 @@ pub(in crate::sim) fn bearing_warnings(
     let index = oil.and_then(negative_index);
     let hot = oil.and_then(|_| OIL_TEMPERATURE.check("temperature", temperature));
     [idle, steep, hot, index].into_iter().flatten().collect()
+}
+
+/// Warning about a bearing with the mean film \[m\], the viscosity \[Pa s\] and the temperature \[K\] of its oil whose flow is not laminar. The
+/// density is that of `oil`, and of the usual mineral oil at 15 degrees Celsius without one.
+pub(in crate::sim) fn turbulent_film(
+    bearing: &BearingSpec,
+    [mean_film, viscosity, temperature]: [f64; 3],
+    oil: Option<&OilSpec>,
+) -> Option<Warning> {
+    let density = match oil {
+        Some(oil) => petroleum_density(oil.density_at_15(), temperature),
+        None => OilSpec::default().density_at_15(),
+    };
+    let number = |speed: f64, film: f64| density * speed * film / viscosity;
+    let (speed, reynolds, message, narrower) = match *bearing {
+        BearingSpec::Journal { diameter, clearance, speed, .. } => {
+            let (reynolds, limit) = (number(speed, clearance), TAYLOR * (0.5 * diameter / clearance).sqrt());
+            let message = format!("above {TAYLOR} sqrt(R/c) = {limit:.0} the film has Taylor vortices");
+            (speed, reynolds, (reynolds > limit).then_some(message)?, "a smaller clearance")
+        }
+        BearingSpec::Pad { speed, .. } | BearingSpec::Step { speed, .. } => {
+            let reynolds = number(speed, mean_film);
+            let message = format!("above {TRANSITION} films become turbulent");
+            (speed, reynolds, (reynolds > TRANSITION).then_some(message)?, "a thinner film")
+        }
+    };
+    let message = format!(
+        "the Reynolds number is {reynolds:.0} at a density of {density:.0} kg/m^3, and {message}: friction and power loss are larger than those of \
+         the laminar film that is solved"
+    );
+    let remedy = format!("a thicker oil, a lower speed or {narrower}; turbulent films are not modelled");
+    Some(Warning::new("given_film.speed", speed, message, remedy))
 }
 
 /// Warning about a bearing whose film is not converged, with `alpha` \[1/Pa\] and the viscosity ratio of the last iteration.

@@ -2,13 +2,15 @@
 
 use std::error::Error;
 
+use stribeck::InputError;
+use stribeck::analytic::HertzLine;
 use stribeck::sim::Scene;
 use stribeck::sim::scene::GridSpec;
 
 use super::super::answers::disc;
-use super::super::disc::{Disc, STRIP};
+use super::super::disc::{Disc, STRIP, STRIP_ROWS};
 use super::super::{GAP_BEYOND, HARDNESS, Options as Init, REACH, ROOM, plain, rounded};
-use super::{ESTIMATE, Element, given, text};
+use super::{ESTIMATE, Element, given, steel, text};
 
 /// Ends of the box of a line contact before and behind the middle, in half-widths.
 const ENDS: [f64; 2] = [3.5, 1.7];
@@ -44,17 +46,38 @@ pub(super) fn roughened(options: &Init, name: &str, element: Element) -> Result<
         let cells_of =
             |size: f64| options.cells.map(|cells| (f64::from(cells) * size / longest).ceil() as u32);
         let [nx, ny] = sizes.map(|size| disc.cells(cells_of(size), size));
+        let [nx, ny] = [nx?, ny?];
+        if let Err(error) = Disc::require_nodes(options.cells, [nx, ny]) {
+            return Err((error + &strip_instead(&scene, name)?).into());
+        }
         let [inlet, outlet, side] = [inlet, outlet, side].map(length);
         format!(
-            "nx = {}\nny = {}\nx = [\"-{inlet} um\", \"{outlet} um\"]\ny = [\"-{side} um\", \"{side} um\"]\n",
-            nx?, ny?
+            "nx = {nx}\nny = {ny}\nx = [\"-{inlet} um\", \"{outlet} um\"]\ny = [\"-{side} um\", \"{side} um\"]\n"
         )
     } else {
         let [inlet, outlet] = ENDS.map(|reach| rounded(reach * hertz.half_width_x));
         let cells = disc.cells(options.cells, inlet + outlet)?;
+        Disc::require_nodes(options.cells, [cells, STRIP_ROWS])?;
         let [inlet, outlet] = [inlet, outlet].map(length);
         format!("{STRIP}nx = {cells}\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\n")
     };
     let estimate = if element.is_dry { "" } else { ESTIMATE };
     Ok(Element { grid: box_and_cells + &disc.tables(&options.file, HARDNESS)? + estimate, ..element })
+}
+
+/// Options of a strip through the middle of the ellipse of a bearing, a line contact with the same radius, pressure and speed.
+fn strip_instead(scene: &Scene, name: &str) -> Result<String, InputError> {
+    if name != "--bearing" {
+        return Ok(String::new());
+    }
+    let (radius, _) = scene.form.radii();
+    // The pressure rises with the root of the load.
+    let load = (scene.hertz()?.pressure / HertzLine::from_load(radius, steel(), 1.0)?.pressure).powi(2);
+    Ok(format!(
+        "; a strip through the middle of the ellipse has its pressure: --roller in place of --bearing, with --radius \"{:.4} mm\" --load \"{:.4} \
+         kN/m\" --speed \"{:.4} m/s\"",
+        1e3 * radius,
+        1e-3 * load,
+        scene.motion.entrainment_speed
+    ))
 }

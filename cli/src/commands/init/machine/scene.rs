@@ -9,7 +9,7 @@ use stribeck::sim::Scene;
 use stribeck::surface::Form;
 
 use super::super::answers::Answers;
-use super::super::disc::{Disc, STRIP};
+use super::super::disc::{Disc, STRIP, STRIP_ROWS};
 use super::super::{HARDNESS, LARGEST_SLOPE, Options, STEEL, oil, plain, rounded};
 use super::Machine;
 
@@ -139,7 +139,9 @@ fn grid(
     let [along, across] = if is_rough {
         let [along, across] =
             [rounded(up) + rounded(down), 2.0 * rounded(up)].map(|size| disc.cells(options.cells, size));
-        [along?, across?]
+        let [along, across] = [along?, if machine.is_line { STRIP_ROWS } else { across? }];
+        Disc::require_nodes(options.cells, [along, across])?;
+        [along, across]
     } else {
         let usual = if machine.is_line { LINE_CELLS } else { POINT_CELLS };
         // Cells of a longer box are not wider.
