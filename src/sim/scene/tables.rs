@@ -122,7 +122,7 @@ impl GridTable {
     fn into_spec(self) -> Result<GridSpec, String> {
         let Self { across, nx, ny, x, y, accuracy, grows } = self;
         if accuracy.is_some() && across.is_some() {
-            let reason = "the mesh of a strip is not chosen by `accuracy`: give nx, ny and x in its place, and compare two meshes: double nx and ny";
+            let reason = "the mesh of a strip is not chosen by `accuracy`: give nx, ny and x in its place; solver.accuracy checks the errors";
             return Err(reason.to_owned());
         }
         if let Some(accuracy) = accuracy {
