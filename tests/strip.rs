@@ -542,7 +542,7 @@ fn scenes_without_the_keys_of_a_strip_are_rejected_by_name() {
         ("across = \"periodic\"", "across = \"mirrored\"", "periodic"),
         ("ny = 64\n", "", "ny"),
         ("ny = 64\n", "ny = 64\ngrows = true\n", "grows"),
-        ("ny = 64\n", "ny = 64\naccuracy = 0.01\n", "double nx and ny"),
+        ("ny = 64\n", "ny = 64\naccuracy = 0.01\n", "solver.accuracy checks"),
     ] {
         let error = Scene::from_toml(&TOML.replace(old, new)).unwrap_err().to_string();
         assert!(error.contains(expected), "{new}: {error}");
