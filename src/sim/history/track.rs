@@ -111,7 +111,7 @@ impl MixedLubricationSim {
         std::array::from_fn(|body| {
             let heights = self.bodies[body].surface();
             let visits = exposure::visits(self.surface_motion.motion.as_ref(), speeds[body]);
-            let is_worn = self.bodies[body].worn_volume > 0.0;
+            let is_worn = self.bodies[body].wear().iter().any(|depth| *depth > 0.0);
             if is_worn && visits == PointRevisit::Permanent {
                 scar_rq(grid, &hertz.ellipse(), heights)
             } else {
