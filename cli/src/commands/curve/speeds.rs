@@ -4,8 +4,7 @@ use stribeck::InputError;
 use stribeck::metrics::composite_rq;
 use stribeck::sim::scene::{Roughness, Scene};
 
-/// Films over the composite Rq at the lowest and the highest speed: at the first solids carry nearly all of the load, above the second
-/// asperities do not touch.
+/// Films over the composite Rq at the lowest and the highest speed. Above the second asperities do not touch.
 const LAMBDAS: [f64; 2] = [0.03, 3.0];
 /// Lowest and highest speed over that of the scene for smooth bodies; between rough ones the highest is at most the second.
 const AROUND: [f64; 2] = [0.1, 10.0];
@@ -17,7 +16,7 @@ const DECADES: f64 = 6.0;
 /// Bisections of that range.
 const BISECTIONS: u32 = 40;
 
-/// Lowest and highest speed by default, about that of the scene: from boundary lubrication to full films by formula.
+/// Lowest and highest speed by default, about that of the scene: from thin films to full ones by formula.
 pub(super) fn usual(scene: &Scene, own: f64) -> Result<[f64; 2], InputError> {
     let around = AROUND.map(|factor| factor * own);
     let rq = [&scene.roughness.ball, &scene.roughness.disc].map(|surface| match surface {
@@ -54,7 +53,7 @@ mod tests {
 
     /// The disc of 130 nm of Azam et al. at 0.1 m/s has a film of 0.06 Rq by formula, of 3 Rq far above 10 m/s.
     #[test]
-    fn speeds_span_boundary_lubrication_to_full_films() {
+    fn speeds_span_thin_to_full_films() {
         let mut scene = Scene::azam_2019(32);
         let lambda = |scene: &Scene, speed: f64| {
             let mut scene = scene.clone();
