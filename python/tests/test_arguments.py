@@ -269,6 +269,8 @@ def test_wear_of_metres_is_said(dry: Scene) -> None:
     # The law wears beside the contact too.
     simulation = stribeck.Simulation(dry.replace(solver={"edge_contact": True}), wear=lambda at, film: 1.0)
     refused(stribeck.InputError, lambda: simulation.step("1 min"), "time_step")
-    with pytest.warns(stribeck.StribeckWarning, match="wear.(ball|disc)_max") as said:
+    with pytest.warns(stribeck.StribeckWarning) as said:
         record = simulation.step("50 us")
-    assert len(said) == len(record.warnings) == 1 and record.warnings[0].value == max(record.wear.ball_max, record.wear.disc_max) > 2e-5
+    worn, step = record.warnings
+    assert len(said) == 2 and step.field == "time_step"
+    assert worn.field in ("wear.ball_max", "wear.disc_max") and worn.value == max(record.wear.ball_max, record.wear.disc_max) > 2e-5
