@@ -169,11 +169,6 @@ impl Expected {
     }
 
     fn to_json(&self) -> Result<Value, serde_json::Error> {
-        let parts: Vec<Value> = self
-            .parts
-            .iter()
-            .map(|part| json!({ "part": part.name, "modelled": part.modelled, "why": part.why }))
-            .collect();
         let (hertz, grid, [inlet, outlet]) = (&self.hertz, self.sim.grid(), self.room());
         let film = self.expectation.film;
         let mut roughness = serde_json::to_value(self.expectation.roughness)?;
@@ -191,7 +186,7 @@ impl Expected {
         let refused = |error: &Option<SimError>| error.as_ref().map(ToString::to_string);
         Ok(json!({
             "refused": { "solve": refused(&self.refusals.solve), "run": refused(&self.refusals.run) },
-            "modelled": parts,
+            "modelled": parts::objects(&self.parts),
             "hertz": hertz,
             "oil": self.oil,
             "moes": self.formula.map(|formula| formula.moes),

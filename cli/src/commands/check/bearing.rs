@@ -3,13 +3,12 @@
 
 use std::error::Error;
 
-use serde_json::{Value, json};
 use stribeck::sim::scene::BearingSpec;
 use stribeck::sim::{BearingNumbers, RigidBearing};
 use stribeck::units::by_size;
 
 use super::Options;
-use super::parts::Part;
+use super::parts::{self, Part};
 use crate::commands::solve::bearing_lines;
 use crate::interrupt;
 use crate::output::{self, Outcome};
@@ -22,26 +21,17 @@ pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, 
     let parts = parts(bearing, &solution.numbers);
     output::warn(&solution.warnings);
     if options.json {
-        let parts: Vec<Value> = parts
-            .iter()
-            .map(|part| json!({ "part": part.name, "modelled": part.modelled, "why": part.why }))
-            .collect();
         let mut numbers = serde_json::to_value(solution.numbers)?;
         numbers["specific_load"] = specific_load(bearing, &solution.numbers).into();
         numbers["status"] = serde_json::to_value(status)?;
-        numbers["modelled"] = parts.into();
+        numbers["modelled"] = parts::objects(&parts).into();
         numbers["warnings"] = serde_json::to_value(&solution.warnings)?;
         numbers["version"] = env!("CARGO_PKG_VERSION").into();
         output::print(&numbers)?;
     } else {
-        let names = |modelled: bool| {
-            let parts = parts.iter().filter(|part| part.modelled == modelled);
-            parts.map(|part| part.name).collect::<Vec<_>>().join(", ")
-        };
         let mut lines = size(bearing, &solution.numbers);
         lines.push(bearing_lines(bearing, &solution, status));
-        lines.push(format!("modelled   {}", names(true)));
-        lines.push(format!("left out   {} (--json: by which keys)", names(false)));
+        lines.extend(parts::lines(&parts));
         output::print(&lines.join("\n"))?;
     }
     Ok(status.into())

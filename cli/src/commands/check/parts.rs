@@ -1,5 +1,6 @@
 //! The parts of the model that a scene has or leaves out, and the keys that decide.
 
+use serde_json::{Value, json};
 use stribeck::InputError;
 use stribeck::sim::MixedLubricationSim;
 use stribeck::sim::scene::{
@@ -18,11 +19,26 @@ pub(super) struct Part {
 
 impl Part {
     /// Its name; that of the shear says by which law.
-    pub(super) fn full_name(&self) -> String {
+    fn full_name(&self) -> String {
         let law = self.why.split(',').next().filter(|_| self.name == SHEAR);
         let of = law.or_else(|| self.why.strip_prefix("elastic.layer: "));
         of.map_or_else(|| self.name.to_owned(), |of| format!("{} {of}", self.name))
     }
+}
+
+/// The parts as JSON objects.
+pub(super) fn objects(parts: &[Part]) -> Vec<Value> {
+    let object = |part: &Part| json!({ "part": part.name, "modelled": part.modelled, "why": part.why });
+    parts.iter().map(object).collect()
+}
+
+/// The lines of the parts that are modelled and of those that are left out.
+pub(super) fn lines(parts: &[Part]) -> [String; 2] {
+    let names = |modelled: bool| {
+        let parts = parts.iter().filter(|part| part.modelled == modelled);
+        parts.map(Part::full_name).collect::<Vec<_>>().join(", ")
+    };
+    [format!("modelled   {}", names(true)), format!("left out   {} (--json: by which keys)", names(false))]
 }
 
 /// Where the oil begins, and whether the box holds the inlet.

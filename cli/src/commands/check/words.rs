@@ -6,7 +6,7 @@ use stribeck::sim::{Expectation, ExpectedFilm};
 use stribeck::units::by_size;
 
 use super::cycle::Rows;
-use super::parts::Part;
+use super::parts;
 use super::{Expected, OilTemperature};
 use crate::output;
 
@@ -32,12 +32,7 @@ impl Expected {
                 Some(error) => format!("{command:<10} no: {error}"),
             });
         }
-        let names = |modelled: bool| {
-            let parts = self.parts.iter().filter(|part| part.modelled == modelled);
-            parts.map(Part::full_name).collect::<Vec<_>>().join(", ")
-        };
-        lines.push(format!("modelled   {}", names(true)));
-        lines.push(format!("left out   {} (--json: by which keys)", names(false)));
+        lines.extend(parts::lines(&self.parts));
         lines.join("\n")
     }
 

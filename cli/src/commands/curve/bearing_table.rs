@@ -10,6 +10,7 @@ use stribeck::Status;
 use stribeck::sim::{BearingNumbers, BearingSolution, Warning};
 
 use super::axis::Axis;
+use super::row::mark;
 use super::{Options, bearing_chart};
 use crate::output::{self, Outcome};
 use crate::report::Report;
@@ -87,9 +88,8 @@ impl<'a> Curve<'a> {
             if self.points.is_empty() {
                 output::print(&header(self.options.over, self.is_rough))?;
             }
-            let warned: Vec<&str> = solution.warnings.iter().map(|warning| warning.field.as_str()).collect();
-            let mark = if warned.is_empty() { String::new() } else { format!("  ! {}", warned.join(", ")) };
-            output::print(&(line(self.options.over, value, numbers) + &mark))?;
+            let warned: Vec<String> = solution.warnings.iter().map(|warning| warning.field.clone()).collect();
+            output::print(&(line(self.options.over, value, numbers) + &mark(&warned)))?;
         }
         self.points.push((value, *numbers));
         Ok(())

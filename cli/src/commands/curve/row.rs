@@ -194,10 +194,14 @@ impl Row {
             let band = value.band().map_or_else(String::new, |band| format!(" +- {}", shown(band)));
             cell(columns, &(shown(value.mean) + &band))
         });
-        let mark =
-            if self.warned.is_empty() { String::new() } else { format!("  ! {}", self.warned.join(", ")) };
+        let mark = mark(&self.warned);
         format!("{}{}  {}{mark}", columns.over.cell(self.at), cells.collect::<String>(), self.model_name())
     }
+}
+
+/// The end of a line with warnings about the fields `warned`.
+pub(super) fn mark(warned: &[String]) -> String {
+    if warned.is_empty() { String::new() } else { format!("  ! {}", warned.join(", ")) }
 }
 
 /// The headings of a file.
