@@ -1,6 +1,6 @@
 use std::fmt::Debug;
 
-use crate::numerics::GridLu;
+use crate::numerics::{GridLu, Periodicity};
 use crate::reynolds::{FluidBlock, NewtonKrylov, NewtonSettings};
 
 /// A factorization of matrices on the five-point stencil, see [`StencilLu`] for their layout.
@@ -83,7 +83,7 @@ pub struct StencilLu(GridLu<f32>);
 impl StencilLu {
     /// Elimination order and buffers for a grid.
     pub fn new(nx: usize, ny: usize) -> Self {
-        Self(GridLu::new(nx, ny))
+        Self(GridLu::new(nx, ny, Periodicity::None))
     }
 
     /// Factorizes the matrix. Entries that point outside the grid must be zero. Returns whether all pivots are finite.

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::dense::padded;
 use super::dissection::Dissection;
+use super::periodicity::Neighbors;
 use super::real::Real;
 use super::{Matrix, STENCIL};
 
@@ -71,8 +72,8 @@ pub(super) struct Structure {
     index_ranges: Vec<IndexRange>,
     /// Workspace of the merge of borders.
     merged: [Vec<u32>; 2],
-    /// Index offsets from a node to its stencil.
-    pub(super) offsets: [isize; STENCIL],
+    /// The stencil of each node.
+    pub(super) neighbors: Neighbors,
     /// Total lengths of factors and vectors.
     pub(super) factors: usize,
     pub(super) vectors: usize,
@@ -109,13 +110,9 @@ impl IndexRange {
 
 impl Structure {
     /// Structure of a matrix that couples all neighbors, which bounds the memory of all others.
-    pub(super) fn full(dissection: &Dissection, nx: usize, ny: usize) -> Self {
-        let offsets = [0, 1, -1, nx as isize, -(nx as isize)];
-        let mut structure = Self { offsets, ..Self::default() };
-        structure.update(dissection, |node, slot| {
-            let (i, j) = (node % nx, node / nx);
-            [i + 1 < nx, i > 0, j + 1 < ny, j > 0][slot]
-        });
+    pub(super) fn full(dissection: &Dissection, neighbors: Neighbors) -> Self {
+        let mut structure = Self { neighbors, ..Self::default() };
+        structure.update(dissection, |node, side| neighbors.has(node, side));
         let most = structure.borders.len();
         structure.index_ranges.reserve(most.saturating_sub(structure.index_ranges.len()));
         structure
@@ -163,7 +160,7 @@ impl Structure {
         for (pivot, &node) in self.nodes[pivots.clone()].iter().enumerate() {
             let node = node as usize;
             for slot in (0..4).filter(|&slot| is_coupled(node, slot)) {
-                let other = node.wrapping_add_signed(self.offsets[slot + 1]);
+                let other = self.neighbors.at(node, slot + 1);
                 let rank = self.rank[other];
                 if rank as usize >= pivots.end {
                     self.edges.push(Edge {
@@ -214,18 +211,19 @@ impl Structure {
         fronts[number].border = from..borders.len();
     }
 
-    /// Copies the matrix entries among the pivots of a front into their block.
+    /// Adds the matrix entries among the pivots of a front to their block: in a ring of two nodes the neighbors of
+    /// a node on both sides are one node.
     #[inline(always)]
     pub(super) fn place_entries<T: Real>(&self, front: &Front, matrix: Matrix<'_, T>, block: &mut [T]) {
         let (pivots, rows) = (front.pivots.clone(), front.pivot_rows());
         for (row, &node) in self.nodes[pivots.clone()].iter().enumerate() {
             let node = node as usize;
-            for (slot, offset) in self.offsets.iter().enumerate() {
+            for slot in 0..STENCIL {
                 let entry = matrix.entry(STENCIL * node + slot);
-                let column =
-                    self.rank.get(node.wrapping_add_signed(*offset)).map_or(DECOUPLED, |rank| *rank) as usize;
+                let other = self.neighbors.at(node, slot);
+                let column = self.rank.get(other).map_or(DECOUPLED, |rank| *rank) as usize;
                 if entry != T::zero() && pivots.contains(&column) {
-                    block[(column - pivots.start) * rows + row] = entry;
+                    block[(column - pivots.start) * rows + row] += entry;
                 }
             }
         }
@@ -282,23 +280,25 @@ fn append_index_ranges(
 
 #[cfg(test)]
 mod tests {
+    use super::super::periodicity::Periodicity;
     use super::*;
 
     #[test]
     fn borders_come_later_and_are_in_the_parent() {
-        for (nx, ny) in [(1, 50), (7, 5), (40, 3), (33, 64)] {
-            let dissection = Dissection::new(nx, ny);
-            let mut structure = Structure::full(&dissection, nx, ny);
+        let shapes = [(1, 50), (7, 5), (40, 3), (33, 64), (9, 70), (2, 30)];
+        for ((nx, ny), periodicity) in
+            shapes.into_iter().flat_map(|shape| Periodicity::ALL.map(|p| (shape, p)))
+        {
+            let neighbors = Neighbors::new(nx, ny, periodicity);
+            let dissection = Dissection::new(nx, ny, periodicity);
+            let mut structure = Structure::full(&dissection, neighbors);
             // A wall of decoupled edges, and a row of decoupled nodes.
             let is_alone = |node: usize| node / nx == ny / 3 || node % nx == nx / 2;
             for walled in [false, true] {
                 if walled {
-                    let offsets = structure.offsets;
-                    structure.update(&dissection, |node, slot| {
-                        let (i, j) = (node % nx, node / nx);
-                        let other = node.wrapping_add_signed(offsets[slot + 1]);
-                        let is_inside = [i + 1 < nx, i > 0, j + 1 < ny, j > 0][slot];
-                        is_inside && !is_alone(node) && !is_alone(other)
+                    structure.update(&dissection, |node, side| {
+                        let other = neighbors.at(node, side + 1);
+                        neighbors.has(node, side) && !is_alone(node) && !is_alone(other)
                     });
                 }
                 let mut end = 0;

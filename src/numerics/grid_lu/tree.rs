@@ -11,6 +11,7 @@ use pulp::Arch;
 
 use super::Matrix;
 use super::dissection::{Dissection, Supernode};
+use super::periodicity::{Neighbors, Periodicity};
 use super::real::Real;
 use super::structure::{Front, Structure};
 use super::traversal::{Level, Part, Subtree, Traversal};
@@ -40,9 +41,9 @@ pub(super) struct Tree<T> {
 impl<T: Real> Tree<T> {
     /// Storage for all matrices on a grid of `nx` x `ny` nodes, with `tasks` parallel tasks. Memory that
     /// small fronts never write is not committed.
-    pub(super) fn new(nx: usize, ny: usize, tasks: usize) -> Self {
-        let dissection = Dissection::new(nx, ny);
-        let structure = Structure::full(&dissection, nx, ny);
+    pub(super) fn new(nx: usize, ny: usize, periodicity: Periodicity, tasks: usize) -> Self {
+        let dissection = Dissection::new(nx, ny, periodicity);
+        let structure = Structure::full(&dissection, Neighbors::new(nx, ny, periodicity));
         let scratch = structure.fronts.iter().map(Front::scratch).max().unwrap_or_default();
         let mut tree = Self {
             vectors: vec![T::zero(); structure.vectors],

@@ -6,7 +6,7 @@
 //! factorized in double precision.
 
 use crate::grid::Grid;
-use crate::numerics::{GridLu, STENCIL, solve_tridiagonal};
+use crate::numerics::{GridLu, Periodicity, STENCIL, solve_tridiagonal};
 
 /// Relative residual of an accepted solution.
 const TOLERANCE: f64 = 1e-13;
@@ -46,7 +46,7 @@ impl LinearSolver {
         let method = if grid.ny() == 1 {
             Method::Row { below: vec![0.0; n], diagonal: vec![0.0; n], above: vec![0.0; n] }
         } else {
-            let lu = Box::new(GridLu::new(grid.nx(), grid.ny()));
+            let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), Periodicity::None));
             Method::Single { lu, stencil: vec![0.0; STENCIL * n], part: vec![0.0; n] }
         };
         Self { grid, method, residual: vec![0.0; n] }
@@ -88,7 +88,7 @@ impl LinearSolver {
                     return Some(substitutions);
                 }
                 // Lost couplings: double precision from here on.
-                let lu = Box::new(GridLu::new(nx, grid.ny()));
+                let lu = Box::new(GridLu::new(nx, grid.ny(), Periodicity::None));
                 self.method = Method::Double { lu, part: vec![0.0; grid.len()] };
                 self.solve(stencil, rhs, x)
             }

@@ -68,7 +68,7 @@ use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule};
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::GridLu;
+use crate::numerics::{GridLu, Periodicity};
 use crate::report::SolveReport;
 use crate::solver_id::SolverId;
 
@@ -111,7 +111,10 @@ impl Clone for NewtonKrylov {
 
 impl Default for NewtonKrylov {
     fn default() -> Self {
-        Self::by(|grid| Box::new(GridLu::<f32>::new(grid.nx(), grid.ny())), NewtonSettings::default())
+        Self::by(
+            |grid| Box::new(GridLu::<f32>::new(grid.nx(), grid.ny(), Periodicity::None)),
+            NewtonSettings::default(),
+        )
     }
 }
 

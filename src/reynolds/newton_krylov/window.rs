@@ -8,7 +8,7 @@ use super::weak_coupling::is_weakly_coupled;
 use super::window_place::WindowPlace;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
-use crate::numerics::{GridLu, STENCIL};
+use crate::numerics::{GridLu, Periodicity, STENCIL};
 use crate::reynolds::active_set::{Fluid, NodeState, Solid};
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::flow::{Discretisation, NearField};
@@ -60,7 +60,7 @@ impl Window {
             place: WindowPlace::new(whole, &grid),
             fluid: Discretisation::new(grid),
             linearization: Linearization::new(grid),
-            lu: GridLu::new(grid.nx(), grid.ny()),
+            lu: GridLu::new(grid.nx(), grid.ny(), Periodicity::None),
             stencil: vec![0.0; STENCIL * n],
             nodes: vec![node; n],
             best: vec![node; n],
