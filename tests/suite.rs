@@ -53,6 +53,7 @@ mod mixed;
 mod oils;
 mod one_builder;
 mod outer_rows;
+mod pads;
 mod passage;
 mod preparation;
 mod processes;

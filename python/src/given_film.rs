@@ -111,7 +111,7 @@ pub(crate) fn solve_bearing(py: Python<'_>, path: PathBuf) -> PyResult<RecordPar
 }
 
 /// Solves for pressure and content in `film` on the cells `on`, of an oil of `(eta0, alpha, [density_a, density_b])` between edges of
-/// `(edge_pressures, cavitation_pressure, closed_sides)`.
+/// `(edge_pressures, cavitation_pressure, [closed_sides, periodic])`.
 #[pyfunction]
 pub(crate) fn solve_film(
     py: Python<'_>,
@@ -119,9 +119,9 @@ pub(crate) fn solve_film(
     film: Film<'_>,
     speeds: [f64; 2],
     oil: (f64, f64, [f64; 2]),
-    edges: ([f64; 4], f64, bool),
+    edges: ([f64; 4], f64, [bool; 2]),
 ) -> PyResult<SolvedFilm> {
-    let ((eta0, alpha, [a, b]), (pressures, cavitation, closed_sides)) = (oil, edges);
+    let ((eta0, alpha, [a, b]), (pressures, cavitation, [closed_sides, is_periodic])) = (oil, edges);
     let film = film.thickness(py, on.0)?;
     let viscosity = value(py, Barus::new(eta0, alpha))?;
     let oil = if a == 0.0 && b == 0.0 {
@@ -134,7 +134,8 @@ pub(crate) fn solve_film(
         let problem = GivenFilm::new(&film, &oil, speeds)
             .with_edge_pressures(pressures)
             .with_cavitation_pressure(cavitation)
-            .with_sides(sides);
+            .with_sides(sides)
+            .with_periodic(is_periodic);
         let solution = problem.solve_unless(on_signal())?;
         let warnings = given_film_warnings(&problem, &solution);
         Ok::<_, SimError>((solution, warnings))

@@ -165,6 +165,7 @@ def given_film(
     edge_pressures: Sequence[Quantity] | None = None,
     cavitation_pressure: Quantity = 0.0,
     closed_sides: bool = False,
+    periodic: bool = False,
 ) -> GivenFilm:
     """Pressure and content between two rigid surfaces, mass conserved where the film ruptures and reforms.
 
@@ -174,7 +175,8 @@ def given_film(
     ``eta0 exp(alpha p)``, ``density_a`` and ``density_b`` [1/Pa] those of the density ``1 + a p/(1 + b p)`` over that without pressure (0.6e-9 and
     1.7e-9 for mineral oils; incompressible by default). Pressure is ``ambient_pressure`` [Pa] at the edges, or
     ``edge_pressures`` at those of the smallest and largest x and y, and nowhere below ``cavitation_pressure`` [Pa]; with
-    ``closed_sides`` nothing flows through the edges across y.
+    ``closed_sides`` nothing flows through the edges across y. A ``periodic`` film repeats along x, as around a ring: what leaves at
+    one end enters at the other.
 
     Not converging is a status, see :meth:`GivenFilm.require_converged`. Implausible input is issued as a
     :class:`~stribeck.StribeckWarning`.
@@ -186,7 +188,7 @@ def given_film(
     ambient, cavitation = number("ambient_pressure", ambient_pressure, "Pa"), number("cavitation_pressure", cavitation_pressure, "Pa")
     given = film if callable(film) else array("film", film)
     given_edges = (ambient,) * 4 if edge_pressures is None else tuple(edge_pressures)
-    edges = list(numbers("edge_pressures", given_edges, ("Pa",) * 4)), cavitation, truth("closed_sides", closed_sides)
+    edges = list(numbers("edge_pressures", given_edges, ("Pa",) * 4)), cavitation, [truth("closed_sides", closed_sides), truth("periodic", periodic)]
     solved = GivenFilm._of(solve_film(on, given, [lower, upper], oil, edges), grid)
     say(solved.warnings, 2)
     return solved

@@ -46,6 +46,21 @@ def test_rigid_bearing_of_a_scene_is_in_equilibrium_with_its_load() -> None:
     assert 0.45 < oil.film_uncertainty / oil.alpha_uncertainty < 0.72
 
 
+def test_film_around_a_ring_does_not_depend_on_where_it_begins() -> None:
+    grid = stribeck.Grid.box(40, 12, (0.0, "8 mm"), (0.0, "4 mm"))
+
+    def load(start: float) -> float:
+        def film(x: float, y: float) -> float:
+            return 5e-6 + 2e-6 * np.cos(2.0 * np.pi * (x - start) / 8e-3)
+
+        keys = {"speeds": (1.0, 0.0), "eta0": 0.01, "cavitation_pressure": "-1 bar"}
+        return stribeck.given_film(film, grid, **keys, periodic=True).require_converged().load
+
+    assert load(0.8e-3 * 3) == pytest.approx(load(0.0), rel=1e-7)
+    with pytest.raises(stribeck.InputError, match="level"):
+        stribeck.given_film(lambda x, y: 1e-5, grid, speeds=(1.0, 0.0), eta0=0.01, closed_sides=True, periodic=True)
+
+
 def test_unequal_edge_pressures_drive_the_flow_of_a_slot() -> None:
     grid = stribeck.Grid.box(24, 18, (0.0, "20 mm"), (0.0, "10 mm"))
     keys = {"speeds": (0.0, 0.0), "eta0": 0.01, "closed_sides": True}

@@ -48,6 +48,17 @@ impl MixedLoadShare {
     /// Inlet number at which solids carry half of the load.
     pub const HALF: f64 = 1.23;
 
+    /// Inlet number at which solids carry `load_ratio` of the load, above 0 and below 1.
+    ///
+    /// ```
+    /// # use stribeck::analytic::MixedLoadShare;
+    /// assert!((MixedLoadShare::inlet_number_at(0.5) - MixedLoadShare::HALF).abs() < 1e-12);
+    /// assert!((MixedLoadShare::inlet_number_at(0.97) - 0.43).abs() < 0.01);
+    /// ```
+    pub fn inlet_number_at(load_ratio: f64) -> f64 {
+        Self::HALF * (1.0 / load_ratio - 1.0).powf(1.0 / STEEPNESS)
+    }
+
     /// The inlet number `L`.
     ///
     /// # Errors

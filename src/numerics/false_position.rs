@@ -34,6 +34,27 @@ impl FalsePosition {
         self.last_is_low = Some(is_low);
     }
 
+    /// Evaluates at the next positions (see [`next`](Self::next)), until the value is below `tolerance` or there were `most`
+    /// of them; returns the last result and whether its value is below the tolerance. `evaluate` gives the result at a position and
+    /// its value.
+    pub(crate) fn find<S, E>(
+        mut self,
+        [tolerance, least]: [f64; 2],
+        most: usize,
+        mut evaluate: impl FnMut(f64) -> Result<(S, f64), E>,
+    ) -> Result<(S, bool), E> {
+        let mut count = 0;
+        loop {
+            let position = self.next(least);
+            let (result, value) = evaluate(position)?;
+            count += 1;
+            if value.abs() < tolerance || count >= most {
+                return Ok((result, value.abs() < tolerance));
+            }
+            self.add(position, value);
+        }
+    }
+
     /// Positions of both ends.
     #[cfg(any(feature = "serde", test))]
     pub(crate) fn ends(&self) -> [f64; 2] {

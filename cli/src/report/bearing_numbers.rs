@@ -9,7 +9,7 @@ const fn celsius<'a>(name: &'a str, key: &'a str) -> Number<'a> {
 }
 
 /// Numbers of a rigid bearing. Those that an object does not have are left out.
-const BEARING: [Number<'static>; 34] = [
+const BEARING: [Number<'static>; 37] = [
     number("Load", "load", "N", 1.0),
     number("Load without the least pressure of the edges", "load_above_edges", "N", 1.0),
     number("Force towards the widest gap", "force.0", "N", 1.0),
@@ -17,6 +17,9 @@ const BEARING: [Number<'static>; 34] = [
     number("Eccentricity", "eccentricity", "", 1.0),
     number("Attitude angle", "attitude", "°", 180.0 / std::f64::consts::PI),
     number("Sommerfeld number", "sommerfeld", "", 1.0),
+    number("Film at the inlet", "inlet_film", "µm", 1e6),
+    number("Film at the outlet", "outlet_film", "µm", 1e6),
+    number("Center of pressure behind the inlet", "pressure_center", "mm", 1e3),
     number("Least film", "least_film", "µm", 1e6),
     number("Least film over Rq", "film_over_rq", "", 1.0),
     number("Widening by the elastic bore", "bore_widening", "µm", 1e6),

@@ -6,7 +6,6 @@ pub(crate) enum Periodicity {
     /// The grid has four edges.
     #[default]
     None,
-    #[cfg_attr(not(test), expect(dead_code, reason = "no grid repeats along x yet"))]
     /// The node east of the last column is that of the first column in the same row.
     AlongX,
     #[cfg_attr(not(test), expect(dead_code, reason = "no grid repeats along y yet"))]

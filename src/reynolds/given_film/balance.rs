@@ -14,9 +14,9 @@
 //! node, in a cavitated one the film fraction minus one. The scale makes the derivative of the outflow by `s`
 //! continuous at zero.
 
-use super::feed::free_share;
+use super::faces::{Face, conductances_across, faces_along};
 use super::film::FilmThickness;
-use super::{EAST, GivenFilm, NORTH, SOUTH, SideEdges, WEST};
+use super::{EAST, GivenFilm, NORTH, SOUTH, WEST};
 use crate::lubricant::Lubricant;
 use crate::numerics::STENCIL;
 
@@ -77,21 +77,6 @@ impl BoundaryFlux {
     }
 }
 
-/// Flow coefficients of the interval between two nodes along x.
-#[derive(Debug, Clone, Copy, Default)]
-struct Face {
-    /// `I_2 / I_3` of the interval \[m\].
-    film: f64,
-    /// The same of its first piece \[m\].
-    first_film: f64,
-    /// `1 / (12 eta_0 u I_3)` of the interval \[m/Pa\].
-    conductance: f64,
-    /// The same of its first piece \[m/Pa\].
-    first_conductance: f64,
-    /// Share of the interval outside of feeds.
-    free_share: f64,
-}
-
 /// The balance of the cells of a film.
 #[derive(Debug)]
 pub(super) struct Balance<'a> {
@@ -109,8 +94,11 @@ pub(super) struct Balance<'a> {
     pub(super) entrained: f64,
     /// Nodes with the pressure of a feed \[Pa\].
     fed: Vec<Option<f64>>,
-    /// Intervals along x from edge to edge of the box, `nx + 1` per row.
+    /// Intervals along x from edge to edge of the box, `nx + 1` per row; of a periodic film the first and the last one
+    /// are the same.
     faces: Vec<Face>,
+    /// Whether the film repeats along x.
+    is_periodic: bool,
     /// Conductances along y, times `dx / dy`, `ny + 1` rows \[m/Pa\].
     across: Vec<f64>,
     /// Pressure per unknown of full nodes \[Pa\].
@@ -138,46 +126,6 @@ fn point(lubricant: &Lubricant, pressure: f64) -> [f64; 4] {
     }
     let at = lubricant.at(pressure);
     [at.reduced_pressure, at.reduced_slope, at.density, at.density_slope]
-}
-
-/// The faces along x, with coefficients of entrainment and pressure flow.
-fn faces_along(problem: &GivenFilm<'_>, film: &FilmThickness, entrained: f64, drag: f64) -> Vec<Face> {
-    let grid = film.grid();
-    let (nx, ny) = (grid.nx(), grid.ny());
-    let node = |i: usize, j: usize| (grid.x(i), grid.y(j));
-    let mut faces = Vec::with_capacity((nx + 1) * ny);
-    for (j, i) in (0..ny).flat_map(|j| (0..=nx).map(move |i| (j, i))) {
-        // Film and flow resistance of the two half cells at the face.
-        let [first, second] = problem.pieces(film, i, j);
-        let whole = first.and(second);
-        // A feed may cover a part of the way between the two nodes.
-        let free_share =
-            if 0 < i && i < nx { free_share(problem.feeds, node(i - 1, j), node(i, j)) } else { 1.0 };
-        faces.push(Face {
-            film: entrained * whole.film(),
-            first_film: entrained * first.film(),
-            conductance: 1.0 / (drag * free_share * whole.cubes),
-            first_conductance: 1.0 / (drag * free_share * first.cubes),
-            free_share,
-        });
-    }
-    faces
-}
-
-/// Conductances of the faces along y; zero at closed sides.
-fn conductances_across(problem: &GivenFilm<'_>, film: &FilmThickness, drag: f64) -> Vec<f64> {
-    let grid = film.grid();
-    let (nx, ny, aspect) = (grid.nx(), grid.ny(), grid.dx() / grid.dy());
-    let node = |i: usize, j: usize| (grid.x(i), grid.y(j));
-    let is_closed = ny == 1 || problem.sides == SideEdges::Closed;
-    let mut across = Vec::with_capacity(nx * (ny + 1));
-    for (j, i) in (0..=ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
-        let is_side = j == 0 || j == ny;
-        let share = if is_side { 1.0 } else { free_share(problem.feeds, node(i, j - 1), node(i, j)) };
-        let is_shut = is_closed && is_side;
-        across.push(if is_shut { 0.0 } else { aspect / (drag * share * problem.cubes_across(film, i, j)) });
-    }
-    across
 }
 
 impl<'a> Balance<'a> {
@@ -215,6 +163,7 @@ impl<'a> Balance<'a> {
             entrained,
             fed: problem.fed(grid),
             faces,
+            is_periodic: problem.is_periodic,
             across,
             scale,
             rupture_ratio,
@@ -316,12 +265,22 @@ impl<'a> Balance<'a> {
         self.faces[j * (self.film.grid().nx() + 1) + i].free_share
     }
 
+    /// The nodes at both ends of the interval along x that ends at node `(i, j)`; `None` for an edge of the box.
+    fn nodes_along(&self, i: usize, j: usize) -> [Option<usize>; 2] {
+        let nx = self.film.grid().nx();
+        let (row, wraps) = (j * nx, self.is_periodic);
+        let first = i.checked_sub(1).or_else(|| wraps.then_some(nx - 1));
+        let second = if i < nx { Some(i) } else { wraps.then_some(0) };
+        [first, second].map(|node| node.map(|i| row + i))
+    }
+
     /// The fluid at both ends of the interval along x that ends at node `(i, j)`.
     pub(super) fn ends_along(&self, i: usize, j: usize) -> [Fluid; 2] {
-        let nx = self.film.grid().nx();
-        let first = i.checked_sub(1).map_or(self.ends[0][j], |i| self.fluids[j * nx + i]);
-        let second = if i < nx { self.fluids[j * nx + i] } else { self.ends[1][j] };
-        [first, second]
+        let [first, second] = self.nodes_along(i, j);
+        [
+            first.map_or(self.ends[0][j], |k| self.fluids[k]),
+            second.map_or(self.ends[1][j], |k| self.fluids[k]),
+        ]
     }
 
     /// The flow along x through the face before node `(i, j)` \[m\].
@@ -414,13 +373,15 @@ impl<'a> Balance<'a> {
                 stencil[STENCIL * second + forward + 1] -= flow.by_first;
             }
         };
-        // Faces along x.
+        // Faces along x; the one at both ends of a period counts once.
+        let first_face = usize::from(self.is_periodic);
         for j in 0..ny {
-            for i in 0..=nx {
-                let first = i.checked_sub(1).map(|i| j * nx + i);
-                add(self.flow_along(i, j), first, (i < nx).then_some(j * nx + i), 1);
+            for i in first_face..=nx {
+                let [first, second] = self.nodes_along(i, j);
+                add(self.flow_along(i, j), first, second, 1);
             }
         }
+        let circulating = if self.is_periodic { self.edge_flows()[EAST].abs() } else { 0.0 };
         // Faces along y.
         for j in 0..=ny {
             for i in 0..nx {
@@ -435,7 +396,8 @@ impl<'a> Balance<'a> {
             stencil[STENCIL * k..STENCIL * (k + 1)].fill(0.0);
             stencil[STENCIL * k] = 1.0;
         }
-        let [inflow, outflow] = boundary_flux;
+        // What leaves a period at one end enters it at the other.
+        let [inflow, outflow] = boundary_flux.map(|flux| flux + circulating);
         BoundaryFlux { inflow, outflow, rounding: ROUNDING * terms }
     }
 }

@@ -203,6 +203,15 @@ impl FilmThickness {
         self.along[j * (self.grid.nx() + 1) + i]
     }
 
+    /// The interval of row `j` from the last node over the end of a period to the first one, joined at that end.
+    pub(super) fn over_end(&self, j: usize) -> FaceIntegral {
+        let [last, first] = [self.grid.nx(), 0].map(|i| {
+            let [one, other] = self.along(i, j).pieces;
+            one.and(other)
+        });
+        FaceIntegral { share: 0.5, pieces: [last, first] }
+    }
+
     /// `1/h^3` integrated from node `(i, j - 1)` to `(i, j)`; `j = ny` ends at the edge of the box.
     pub(super) fn across(&self, i: usize, j: usize) -> f64 {
         self.across[j * self.grid.nx() + i]

@@ -22,6 +22,8 @@ const STAGNANT: f64 = 0.5;
 pub(super) struct LinearSolver {
     /// The grid of the unknowns.
     grid: Grid,
+    /// Whether the last node of a row is coupled to the first one.
+    is_periodic: bool,
     /// Elimination method, by the shape of the grid and the matrices so far.
     method: Method,
     /// Residual of the current solution.
@@ -40,23 +42,23 @@ enum Method {
 }
 
 impl LinearSolver {
-    /// Buffers and order of elimination for `grid`.
-    pub(super) fn new(grid: Grid) -> Self {
+    /// Buffers and order of elimination for `grid`, whose rows may be `is_periodic`.
+    pub(super) fn new(grid: Grid, is_periodic: bool) -> Self {
         let n = grid.len();
         let method = if grid.ny() == 1 {
             Method::Row { below: vec![0.0; n], diagonal: vec![0.0; n], above: vec![0.0; n] }
         } else {
-            let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), Periodicity::None));
+            let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), periodicity(is_periodic)));
             Method::Single { lu, stencil: vec![0.0; STENCIL * n], part: vec![0.0; n] }
         };
-        Self { grid, method, residual: vec![0.0; n] }
+        Self { grid, is_periodic, method, residual: vec![0.0; n] }
     }
 
     /// Solves `A x = rhs` with row `k` of `A` at `stencil[5 k..5 k + 5]`: center, east, west, north, south.
     /// Returns the number of substitutions, or `None` if the factorization fails.
     pub(super) fn solve(&mut self, stencil: &[f64], rhs: &[f64], x: &mut [f64]) -> Option<u64> {
-        let Self { grid, method, residual } = self;
-        let nx = grid.nx();
+        let Self { grid, is_periodic, method, residual } = self;
+        let product = Product { stencil, nx: grid.nx(), is_periodic: *is_periodic };
         match method {
             Method::Row { below, diagonal, above } => {
                 // A single row: the Thomas algorithm.
@@ -72,7 +74,7 @@ impl LinearSolver {
                     *single = *value as f32;
                 }
                 let refined = lu.factorise(single).then(|| {
-                    refine(stencil, nx, rhs, [x, residual], |residual, scale, x| {
+                    refine(product, rhs, [x, residual], |residual, scale, x| {
                         for (part, residual) in part.iter_mut().zip(residual) {
                             *part = (residual / scale) as f32;
                         }
@@ -88,7 +90,7 @@ impl LinearSolver {
                     return Some(substitutions);
                 }
                 // Lost couplings: double precision from here on.
-                let lu = Box::new(GridLu::new(nx, grid.ny(), Periodicity::None));
+                let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), periodicity(self.is_periodic)));
                 self.method = Method::Double { lu, part: vec![0.0; grid.len()] };
                 self.solve(stencil, rhs, x)
             }
@@ -96,7 +98,7 @@ impl LinearSolver {
                 if !lu.factorise(stencil) {
                     return None;
                 }
-                let (substitutions, left) = refine(stencil, nx, rhs, [x, residual], |residual, scale, x| {
+                let (substitutions, left) = refine(product, rhs, [x, residual], |residual, scale, x| {
                     for (part, residual) in part.iter_mut().zip(residual) {
                         *part = residual / scale;
                     }
@@ -111,11 +113,15 @@ impl LinearSolver {
     }
 }
 
+/// Periodicity of a grid whose rows may be `is_periodic`.
+fn periodicity(is_periodic: bool) -> Periodicity {
+    if is_periodic { Periodicity::AlongX } else { Periodicity::None }
+}
+
 /// Iterative refinement from zero: `correct` adds the approximate solution for a residual of the given norm. Returns the
 /// number of corrections and the norm of the residual over that of the right-hand side.
 fn refine(
-    stencil: &[f64],
-    nx: usize,
+    product: Product<'_>,
     rhs: &[f64],
     [x, residual]: [&mut [f64]; 2],
     mut correct: impl FnMut(&[f64], f64, &mut [f64]),
@@ -130,7 +136,7 @@ fn refine(
         }
         correct(residual, left, x);
         corrections += 1;
-        subtract_product(stencil, nx, x, rhs, residual);
+        product.subtract(x, rhs, residual);
         let before = left;
         left = norm(residual);
         if left > STAGNANT * before || !left.is_finite() {
@@ -145,15 +151,35 @@ fn norm(values: &[f64]) -> f64 {
     values.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
-/// `out = rhs - A x`.
-fn subtract_product(stencil: &[f64], nx: usize, x: &[f64], rhs: &[f64], out: &mut [f64]) {
-    let at = |k: Option<usize>| k.and_then(|k| x.get(k)).copied().unwrap_or(0.0);
-    for (k, ((row, rhs), out)) in stencil.chunks_exact(STENCIL).zip(rhs).zip(out).enumerate() {
-        let around = row[1] * at(Some(k + 1))
-            + row[2] * at(k.checked_sub(1))
-            + row[3] * at(Some(k + nx))
-            + row[4] * at(k.checked_sub(nx));
-        *out = rhs - row[0] * x[k] - around;
+/// The matrix of a stencil of `nx` columns.
+#[derive(Debug, Clone, Copy)]
+struct Product<'a> {
+    /// Rows: center, east, west, north, south.
+    stencil: &'a [f64],
+    /// Columns of the grid.
+    nx: usize,
+    /// Whether the last node of a row is coupled to the first one.
+    is_periodic: bool,
+}
+
+impl Product<'_> {
+    /// `out = rhs - A x`.
+    fn subtract(self, x: &[f64], rhs: &[f64], out: &mut [f64]) {
+        let nx = self.nx;
+        let at = |k: Option<usize>| k.and_then(|k| x.get(k)).copied().unwrap_or(0.0);
+        for (k, ((row, rhs), out)) in self.stencil.chunks_exact(STENCIL).zip(rhs).zip(out).enumerate() {
+            let (mut east, mut west) = (Some(k + 1), k.checked_sub(1));
+            if self.is_periodic {
+                let i = k % nx;
+                east = Some(if i + 1 == nx { k - i } else { k + 1 });
+                west = Some(if i == 0 { k + nx - 1 } else { k - 1 });
+            }
+            let around = row[1] * at(east)
+                + row[2] * at(west)
+                + row[3] * at(Some(k + nx))
+                + row[4] * at(k.checked_sub(nx));
+            *out = rhs - row[0] * x[k] - around;
+        }
     }
 }
 
@@ -187,7 +213,7 @@ mod tests {
             // A unit source in the square leaves it through its boundary.
             let mut rhs = vec![0.0; grid.len()];
             rhs[24 * 12 + 12] = 1.0;
-            let mut solver = LinearSolver::new(grid);
+            let mut solver = LinearSolver::new(grid, false);
             let mut x = vec![0.0; grid.len()];
             solver.solve(&stencil, &rhs, &mut x).unwrap();
             let lost = (8..16).flat_map(|j| {

@@ -7,12 +7,13 @@
 //! |---|---|
 //! | `film` | integrals of the film between the nodes |
 //! | `feed` | grooves and holes with a prescribed pressure |
-//! | `balance` | mass balances of the cells |
+//! | `faces`, `balance` | flow coefficients between the nodes; mass balances of the cells |
 //! | `newton`, `linear` | Newton's method; its linear systems |
 //! | `roughness` | mean flow and mean contact of rough surfaces |
 //! | `row`, `solution` | pressure profiles of the rows; forces, flows and reformation |
 
 mod balance;
+mod faces;
 mod feed;
 mod film;
 mod linear;
@@ -24,6 +25,7 @@ mod solution;
 pub use feed::Feed;
 #[cfg_attr(not(feature = "serde"), expect(unused_imports, reason = "of scenes"))]
 pub(crate) use feed::require_resolved_holes;
+use film::FaceIntegral;
 pub use film::FilmThickness;
 pub use roughness::{MeanContact, MeanRoughness};
 pub use solution::GivenFilmSolution;
@@ -47,6 +49,9 @@ const WEST: usize = 0;
 const EAST: usize = 1;
 const SOUTH: usize = 2;
 const NORTH: usize = 3;
+
+/// Fewest nodes around a period and across it.
+const LEAST_RING: usize = 3;
 
 /// Memory of a solve per node.
 const BYTES: usize = 1200;
@@ -126,6 +131,9 @@ pub struct GivenFilm<'a> {
     pub cavitation_pressure: f64,
     /// Boundary condition at the edges across y.
     pub sides: SideEdges,
+    /// Whether the film repeats along x with the length of the box, as around a ring: what leaves at one end enters at
+    /// the other. Needs a pressure at the sides or of a feed, and at least three rows and columns.
+    pub is_periodic: bool,
     /// Grooves and holes.
     pub feeds: &'a [Feed],
     /// Roughness of both surfaces in the mean; smooth surfaces without it.
@@ -154,6 +162,7 @@ impl<'a> GivenFilm<'a> {
             edge_pressures: [0.0; 4],
             cavitation_pressure: 0.0,
             sides: SideEdges::Ambient,
+            is_periodic: false,
             feeds: &[],
             roughness: None,
             lands: 0.0,
@@ -169,6 +178,7 @@ with_fields!(<'a> GivenFilm<'a> {
     with_edge_pressures edge_pressures: [f64; 4],
     with_cavitation_pressure cavitation_pressure: f64,
     with_sides sides: SideEdges,
+    with_periodic is_periodic: bool,
     with_feeds feeds: &'a [Feed],
     with_roughness roughness: Option<MeanRoughness>,
     with_lands lands: f64,
@@ -201,6 +211,16 @@ impl GivenFilm<'_> {
         solution::solve(self, &interrupted).ok_or(ReynoldsError::Interrupted)
     }
 
+    /// The interval of `film` along x that ends at node `(i, j)`; of a periodic film the first and the last one are those
+    /// over its end.
+    fn interval(&self, film: &FilmThickness, i: usize, j: usize) -> FaceIntegral {
+        if self.is_periodic && (i == 0 || i == film.grid().nx()) {
+            film.over_end(j)
+        } else {
+            film.along(i, j)
+        }
+    }
+
     /// Pressures of the nodes in feeds \[Pa\].
     fn fed(&self, grid: Grid) -> Vec<Option<f64>> {
         let at = |point| self.feeds.iter().find(|feed| feed.contains(point)).map(|feed| feed.pressure);
@@ -226,6 +246,30 @@ impl GivenFilm<'_> {
         0.5 * self.speeds[0] + 0.5 * self.speeds[1]
     }
 
+    /// Error for a periodic film without a prescribed pressure or with too few nodes.
+    fn validate_period(&self) -> Result<(), InputError> {
+        let grid = self.film.grid();
+        let has_level = self.sides == SideEdges::Ambient || !self.feeds.is_empty();
+        let has_nodes = grid.nx() >= LEAST_RING && grid.ny() >= LEAST_RING;
+        if !self.is_periodic || (has_level && has_nodes) {
+            return Ok(());
+        }
+        Err(InputError::Conflict {
+            field: "is_periodic".to_owned(),
+            reason: if has_level {
+                format!(
+                    "a film that repeats along x needs at least 3 x 3 nodes, found {} x {}",
+                    grid.nx(),
+                    grid.ny()
+                )
+            } else {
+                "a film that repeats along x needs pressures at its sides or a feed: without them the level of its \
+                 pressure is arbitrary"
+                    .to_owned()
+            },
+        })
+    }
+
     /// Checks speeds and pressures; the error names the first invalid field.
     fn validate(&self) -> Result<(), InputError> {
         for (field, value) in [
@@ -244,6 +288,7 @@ impl GivenFilm<'_> {
             )?;
         }
         self.validate_roughness()?;
+        self.validate_period()?;
         InputError::require_non_negative("lands", self.lands)?;
         let grid = self.film.grid();
         InputError::require(

@@ -131,7 +131,7 @@ impl GivenFilm<'_> {
         let [lower, upper] = self.speeds;
         let sum = lower + upper;
         let slip = if sum != 0.0 { (lower - upper) / sum } else { 0.0 };
-        let pieces = film.along(i, j).pieces;
+        let pieces = self.interval(film, i, j).pieces;
         self.roughness.map_or(pieces, |rough| pieces.map(|piece| rough.averaged(piece, slip)))
     }
 

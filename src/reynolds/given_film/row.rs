@@ -4,10 +4,12 @@
 //! of this profile. The friction on each surface is `theta eta (u_2 - u_1)/h`, with the film fraction `theta`,
 //! plus its share `h/2 dp/dx` of the pressure force, with the factors of the roughness. The film reforms where the entrained fluid fills the gap.
 
-use super::film::FilmThickness;
 use super::newton::Solved;
 use super::{EAST, GivenFilm, WEST};
 use crate::grid::Grid;
+
+/// Error of a position over the length of the box.
+const ROUNDING: f64 = 1e-12;
 
 /// The edges of the box across x \[m\].
 pub(super) fn edges(grid: Grid) -> [f64; 2] {
@@ -16,10 +18,11 @@ pub(super) fn edges(grid: Grid) -> [f64; 2] {
 }
 
 /// Lengths of the two pieces of the interval that ends at node `(i, j)` \[m\].
-pub(super) fn lengths(film: &FilmThickness, i: usize, j: usize) -> [f64; 2] {
-    let grid = film.grid();
-    let whole = if i == 0 || i == grid.nx() { 0.5 * grid.dx() } else { grid.dx() };
-    let share = film.along(i, j).share;
+pub(super) fn lengths(problem: &GivenFilm<'_>, i: usize, j: usize) -> [f64; 2] {
+    let grid = problem.film.grid();
+    let is_half = !problem.is_periodic && (i == 0 || i == grid.nx());
+    let whole = if is_half { 0.5 * grid.dx() } else { grid.dx() };
+    let share = problem.interval(problem.film, i, j).share;
     [share * whole, (1.0 - share) * whole]
 }
 
@@ -59,19 +62,20 @@ impl Row {
             cavitated_shear: 0.0,
             reformation: None,
         };
-        // From edge to edge, node by node.
-        let [first, last] = [WEST, EAST].map(|edge| problem.end_pressure(edge, j, grid));
-        row.profile.push([west, first]);
-        let (mut before, mut x) = (first, west);
-        for i in 0..=grid.nx() {
+        // From edge to edge, node by node; over a period from its first node to the same node again.
+        let nodes = (j * grid.nx()..).zip(&solved.unknowns[j * grid.nx()..(j + 1) * grid.nx()]);
+        let nodes: Vec<f64> = nodes.map(|(k, &s)| solved.balance.pressure(k, s)).collect();
+        let (start, x_start, [first, last]) = if problem.is_periodic {
+            (1, grid.x(0), [nodes[0]; 2])
+        } else {
+            (0, west, [WEST, EAST].map(|edge| problem.end_pressure(edge, j, grid)))
+        };
+        row.profile.push([x_start, first]);
+        let (mut before, mut x) = (first, x_start);
+        for i in start..=grid.nx() {
             // The pressure of the next node, or of the edge behind the last one.
-            let after = if i < grid.nx() {
-                let k = j * grid.nx() + i;
-                solved.balance.pressure(k, solved.unknowns[k])
-            } else {
-                last
-            };
-            let lengths = lengths(problem.film, i, j);
+            let after = nodes.get(i).copied().unwrap_or(last);
+            let lengths = lengths(problem, i, j);
             // Add friction and cavitation of the way between the two.
             row.walk(
                 problem,
@@ -82,7 +86,29 @@ impl Row {
             row.profile.push([x, after]);
             before = after;
         }
+        if problem.is_periodic {
+            row.wrap([west, west + grid.size_x()]);
+        }
         row
+    }
+
+    /// Moves the part of a period beyond the last of its `ends` to the first one.
+    fn wrap(&mut self, ends: [f64; 2]) {
+        let [west, east] = ends;
+        let count = self.profile.len();
+        // The joint of the last interval lies at the end.
+        let inside = self.profile.partition_point(|point| point[0] < east + ROUNDING * (east - west));
+        if let Some(&[_, pressure]) = self.profile[..inside].last() {
+            self.profile.rotate_left(inside);
+            let beyond = count - inside;
+            for point in &mut self.profile[..beyond] {
+                point[0] -= east - west;
+            }
+            self.profile.insert(0, [west, pressure]);
+        }
+        if let Some(front) = self.reformation.as_mut().filter(|front| **front > east) {
+            *front -= east - west;
+        }
     }
 
     /// Integral of the pressure along the row \[N/m\].
@@ -144,7 +170,7 @@ impl Row {
             first.theta
         };
         let ends = [[pressures[0], middle], [middle, pressures[1]]];
-        let nominal = problem.film.along(i, j).pieces;
+        let nominal = problem.interval(problem.film, i, j).pieces;
         for (((piece, length), theta), ends) in
             nominal.iter().zip(lengths).zip([first.theta, behind]).zip(ends)
         {

@@ -114,6 +114,11 @@ impl GivenFilmSolution {
 /// Solves a problem with valid fields; `None` if `interrupted`.
 pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
     let speed = problem.entrainment_speed();
+    // A period has no edges across x.
+    let [_, _, south, north] = problem.edge_pressures;
+    let edge_pressures =
+        if problem.is_periodic { [south, south, south, north] } else { problem.edge_pressures };
+    let problem = &GivenFilm { edge_pressures, ..*problem };
     let mut solution = if speed < 0.0 {
         // Flow along -x is solved as its mirror image.
         let film = problem.film.mirrored();
@@ -152,11 +157,12 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     let grid = problem.film.grid();
     let pressure = problem.edge_pressures[WEST];
     let viscosity = problem.lubricant.viscosity().viscosity(pressure);
-    let ways = (0..grid.ny()).flat_map(|j| (0..=grid.nx()).map(move |i| (i, j)));
+    let first = usize::from(problem.is_periodic);
+    let ways = (0..grid.ny()).flat_map(|j| (first..=grid.nx()).map(move |i| (i, j)));
     // Drag of the film under uniform pressure.
     let shear = ways.map(|(i, j)| {
-        let lengths = lengths(problem.film, i, j);
-        let [first, second] = problem.film.along(i, j).pieces;
+        let lengths = lengths(problem, i, j);
+        let [first, second] = problem.interval(problem.film, i, j).pieces;
         viscosity * (lengths[0] / first.film() + lengths[1] / second.film())
     });
     let drag = shear.sum::<f64>() * (problem.speeds[1] - problem.speeds[0]) * grid.dy();

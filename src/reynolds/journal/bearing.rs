@@ -15,7 +15,7 @@ const MOST_CLEARANCE: f64 = 0.1;
 /// A journal that turns in a bush of finite width, with the film `h = c (1 + e cos phi)`.
 ///
 /// The angle `phi` begins where the gap is widest, in the direction of rotation. There the film is supplied at ambient
-/// pressure, unless the bush has [`Grooves`] or [`Holes`]; at both sides pressure is ambient too. The film cavitates at ambient pressure with conservation of mass
+/// pressure, unless the bush has [`Grooves`] or [`Holes`]; at both sides pressure is ambient too. The film cavitates at ambient pressure, or below it, with conservation of mass
 /// ([`GivenFilm`]). Axes are parallel, the state is steady.
 ///
 /// Short bearings (Ocvirk): `W = eta omega R L^3/(4 c^2) e/(1 - e^2)^2 sqrt(pi^2 (1 - e^2) + 16 e^2)`.
@@ -57,6 +57,8 @@ pub struct JournalBearing<'a> {
     pub bore: Option<ElasticBore>,
     /// Roughness of journal (lower surface) and bush in the mean.
     pub roughness: Option<MeanRoughness>,
+    /// Pressure at which the film cavitates \[Pa\], relative to ambient; at most 0.
+    pub cavitation_pressure: f64,
 }
 
 /// A solved [`JournalBearing`].
@@ -104,6 +106,7 @@ impl<'a> JournalBearing<'a> {
             holes: None,
             bore: None,
             roughness: None,
+            cavitation_pressure: 0.0,
         }
     }
 }
@@ -114,6 +117,7 @@ with_fields!(<'a> JournalBearing<'a> {
     with_holes holes: Option<Holes<'a>>,
     with_bore bore: Option<ElasticBore>,
     with_roughness roughness: Option<MeanRoughness>,
+    with_cavitation_pressure cavitation_pressure: f64,
 });
 
 impl JournalBearing<'_> {
@@ -154,6 +158,7 @@ impl JournalBearing<'_> {
         let speed = self.angular_speed * self.radius;
         let mut solution = GivenFilm::new(&film, self.lubricant, [speed, 0.0])
             .with_edge_pressures([pressure, pressure, 0.0, 0.0])
+            .with_cavitation_pressure(self.cavitation_pressure)
             .with_lands(supply.land)
             .with_end_hole(supply.end_hole)
             .with_feeds(&supply.feeds)
@@ -255,6 +260,9 @@ impl JournalBearing<'_> {
             self.angular_speed,
             "finite and not 0",
         )?;
+        let requirement = "at most 0: the pressure at the sides is ambient";
+        let cavitation = self.cavitation_pressure;
+        InputError::require(cavitation <= 0.0, "cavitation_pressure", cavitation, requirement)?;
         if let Some(bore) = self.bore {
             bore.validate()?;
         }

@@ -8,23 +8,24 @@ use crate::reynolds::ReynoldsError;
 /// Most eccentricities of a search.
 const MOST_SOLVES: usize = 60;
 
-/// The solution in `bracket` whose load is `load` within the relative `tolerance`, from a `solution` at one of its ends;
+/// The solution in `bracket` whose load is `load` within the relative `tolerance`, from a `first` solution at one of its ends;
 /// `solve` solves at an eccentricity. A solution of another load is not converged.
 pub(super) fn find_load(
-    mut bracket: FalsePosition,
+    bracket: FalsePosition,
     [load, tolerance]: [f64; 2],
-    mut solution: JournalSolution,
+    first: JournalSolution,
     mut solve: impl FnMut(f64) -> Result<JournalSolution, ReynoldsError>,
 ) -> Result<JournalSolution, ReynoldsError> {
-    for _ in 0..MOST_SOLVES {
-        if (solution.load / load - 1.0).abs() < tolerance {
-            return Ok(solution);
-        }
-        let eccentricity = bracket.next(0.01);
-        solution = solve(eccentricity)?;
-        bracket.add(eccentricity, solution.load - load);
+    if (first.load / load - 1.0).abs() < tolerance {
+        return Ok(first);
     }
-    if solution.film.report.status == Status::Converged {
+    let evaluate = |eccentricity| {
+        let solution = solve(eccentricity)?;
+        let excess = solution.load - load;
+        Ok::<_, ReynoldsError>((solution, excess))
+    };
+    let (mut solution, is_found) = bracket.find([tolerance * load, 0.01], MOST_SOLVES, evaluate)?;
+    if !is_found && solution.film.report.status == Status::Converged {
         solution.film.report.status = Status::MaxIterations;
     }
     Ok(solution)

@@ -80,6 +80,8 @@ pub(super) fn solve(
 fn through_flow(bearing: &RigidBearing, solution: &BearingSolution) -> f64 {
     match bearing.bearing {
         BearingSpec::Journal { .. } => solution.film.side_flow,
+        // Oil that goes around a ring does not leave it.
+        _ if bearing.is_periodic => solution.film.edge_flows[2..].iter().map(|flow| flow.max(0.0)).sum(),
         _ => solution.film.flow.outflow,
     }
 }

@@ -41,7 +41,8 @@ pub(super) fn solve(
         .with_roughness(bearing.mean_roughness()?)
         .with_grooves(grooves)
         .with_holes(holes.map(|spec| Holes::new(&spec.places, spec.diameter, spec.pressure)))
-        .with_bore(bearing.bore);
+        .with_bore(bearing.bore)
+        .with_cavitation_pressure(bearing.cavitation_pressure);
     let solved = match position {
         JournalPosition::Eccentricity(eccentricity) => journal.solve_unless(eccentricity, interrupted),
         JournalPosition::Load(load) => journal.equilibrium_unless(load, interrupted),

@@ -1,5 +1,6 @@
 //! Rigid bearings of scene files.
 
+mod equilibrium;
 mod heat;
 mod journal;
 mod numbers;
@@ -12,6 +13,7 @@ use std::path::Path;
 
 use self::journal::JournalSize;
 use self::numbers::Thickness;
+use self::pad::Pad;
 use crate::analytic::GreenwoodTripp;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
@@ -50,8 +52,10 @@ pub struct RigidBearing {
     pub heat: Option<HeatBalance>,
     /// Pressures at inlet, outlet and both sides of a pad \[Pa\].
     pub edge_pressures: [f64; 4],
-    /// Pressure at which the oil of a pad cavitates \[Pa\], relative to ambient as those of the edges.
+    /// Pressure at which the oil cavitates \[Pa\], relative to ambient as those of the edges.
     pub cavitation_pressure: f64,
+    /// Whether the film of a pad repeats along the motion, as around a ring.
+    pub is_periodic: bool,
     /// Relief of a pad.
     pub relief: Option<PadRelief>,
     /// Grooves of a journal.
@@ -102,6 +106,7 @@ impl RigidBearing {
             heat: table.heat().map_err(refused)?,
             edge_pressures: table.edge_pressures().map_err(refused)?,
             cavitation_pressure: table.cavitation_pressure(),
+            is_periodic: table.is_periodic().map_err(refused)?,
             relief: table.relief().map_err(refused)?,
             grooves: table.grooves().map_err(refused)?,
             holes: table.holes().map_err(refused)?,
@@ -124,7 +129,7 @@ impl RigidBearing {
     /// Solves; `interrupted` ends it with an error.
     ///
     /// # Errors
-    /// A value out of range, a load that no eccentricity up to 0.99 carries, a heat balance without through-flow, a relief
+    /// A value out of range, a load that no eccentricity up to 0.99 or no film of a pad carries, a heat balance without through-flow, a relief
     /// that does not fit its pad, an interruption.
     pub fn solve(&self, interrupted: impl Fn() -> bool) -> Result<BearingSolution, SimError> {
         let mut solution = match &self.heat {
@@ -174,21 +179,18 @@ impl RigidBearing {
                 let size = JournalSize { diameter, width, clearance, speed };
                 journal::solve(self, lubricant, (size, position), interrupted)
             }
-            BearingSpec::Pad { length, width, inlet_film, outlet_film, speed } => {
-                let film = |x: f64| inlet_film + (outlet_film - inlet_film) * x / length;
-                pad::solve(self, lubricant, ([length, width.unwrap_or(1.0), speed], &film), interrupted)
-            }
-            BearingSpec::Step { length, width, inlet_film, outlet_film, step, speed } => {
-                InputError::require(
-                    (0.0..length).contains(&step),
-                    "given_film.step",
-                    step,
-                    "at least 0 and below the length: the length of the part before the step",
-                )?;
-                let film = |x: f64| if x < step { inlet_film } else { outlet_film };
-                pad::solve(self, lubricant, ([length, width.unwrap_or(1.0), speed], &film), interrupted)
+            BearingSpec::Pad { length, width, film, step, speed } => {
+                let (is_wide, width) = (width.is_none(), width.unwrap_or(1.0));
+                Pad { bearing: self, lubricant, length, width, is_wide, step, speed, interrupted }
+                    .solve_with(film)
             }
         }
+    }
+
+    /// Least pressure of the edges through which the film is fed \[Pa\].
+    fn least_edge_pressure(&self) -> f64 {
+        let ends = if self.is_periodic { 2 } else { 0 };
+        self.edge_pressures[ends..].iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     /// The roughness of both surfaces.

@@ -23,6 +23,12 @@ pub struct BearingNumbers {
     pub eccentricity: Option<f64>,
     /// Sommerfeld number `W psi^2/(L D eta omega)` with the relative clearance `psi`.
     pub sommerfeld: Option<f64>,
+    /// Film at the inlet of a pad, without its relief \[m\].
+    pub inlet_film: Option<f64>,
+    /// Film at the outlet of a pad, without its relief \[m\].
+    pub outlet_film: Option<f64>,
+    /// Distance of the center of pressure of a pad from its inlet \[m\].
+    pub pressure_center: Option<f64>,
     /// Least film \[m\].
     pub least_film: f64,
     /// Largest pressure \[Pa\].
@@ -108,6 +114,9 @@ impl RigidBearing {
             attitude: None,
             eccentricity: None,
             sommerfeld: None,
+            inlet_film: None,
+            outlet_film: None,
+            pressure_center: None,
             least_film: thickness.least,
             pressure_max,
             friction_moving: -moving,
@@ -146,6 +155,9 @@ impl BearingNumbers {
             attitude: None,
             eccentricity: None,
             sommerfeld: None,
+            inlet_film: None,
+            outlet_film: None,
+            pressure_center: None,
             least_film: unknown,
             pressure_max: unknown,
             friction_moving: unknown,

@@ -7,11 +7,12 @@ use serde::Deserialize;
 /// Shape and motion of a rigid bearing.
 ///
 /// ```
-/// use stribeck::sim::scene::{BearingSpec, JournalPosition};
+/// use stribeck::sim::scene::{BearingSpec, JournalPosition, PadFilm};
 /// let position = JournalPosition::Load(2000.0);
 /// let journal =
 ///     BearingSpec::Journal { diameter: 50e-3, width: 25e-3, clearance: 25e-6, speed: 7.85, position };
-/// assert_ne!(journal, BearingSpec::Pad { length: 1e-2, width: None, inlet_film: 2e-6, outlet_film: 1e-6, speed: 1.0 });
+/// let film = PadFilm::Given { inlet: 2e-6, outlet: 1e-6 };
+/// assert_ne!(journal, BearingSpec::Pad { length: 1e-2, width: None, film, step: None, speed: 1.0 });
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -29,33 +30,51 @@ pub enum BearingSpec {
         /// Position of its axis.
         position: JournalPosition,
     },
-    /// A plane inclined pad over a moving plane.
+    /// A pad over a moving plane: inclined, or with a step (Rayleigh).
     Pad {
         /// Length along the motion \[m\].
         length: f64,
         /// Width \[m\]; `None` for a pad that is wide, with forces per metre.
         width: Option<f64>,
-        /// Film at the inlet \[m\].
-        inlet_film: f64,
-        /// Film at the outlet \[m\].
-        outlet_film: f64,
+        /// Films at inlet and outlet.
+        film: PadFilm,
+        /// Length of the part with the film of the inlet before a step \[m\]; `None` for an inclined pad.
+        step: Option<f64>,
         /// Speed of the moving plane \[m/s\].
         speed: f64,
     },
-    /// A pad with a step (Rayleigh) over a moving plane.
-    Step {
-        /// Length along the motion \[m\].
-        length: f64,
-        /// Width \[m\]; `None` for a pad that is wide, with forces per metre.
-        width: Option<f64>,
-        /// Film before the step \[m\].
-        inlet_film: f64,
-        /// Film behind it \[m\].
-        outlet_film: f64,
-        /// Length of the part before the step \[m\].
-        step: f64,
-        /// Speed of the moving plane \[m/s\].
-        speed: f64,
+}
+
+/// Films of a pad at its inlet and outlet.
+///
+/// ```
+/// use stribeck::sim::scene::PadFilm;
+/// let given = PadFilm::Given { inlet: 20e-6, outlet: 10e-6 };
+/// assert_ne!(given, PadFilm::Fixed { load: 500.0, taper: 10e-6 });
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum PadFilm {
+    /// Prescribed films.
+    Given {
+        /// At the inlet \[m\].
+        inlet: f64,
+        /// At the outlet \[m\].
+        outlet: f64,
+    },
+    /// A fixed inclination or step, in equilibrium with a load.
+    Fixed {
+        /// The load \[N\].
+        load: f64,
+        /// Film at the inlet less that at the outlet \[m\].
+        taper: f64,
+    },
+    /// A pad that tilts about a pivot, in equilibrium with a load.
+    Pivoted {
+        /// The load \[N\].
+        load: f64,
+        /// Distance of the pivot from the inlet \[m\]: the center of pressure lies there.
+        pivot: f64,
     },
 }
 

@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::ThermalSpec;
 use super::given_film::{
-    BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadRelief, RoughnessSpec,
+    BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadFilm, PadRelief, RoughnessSpec,
 };
 use super::lubricant_table::RigidFilmLubricant;
 use super::tables::required;
@@ -31,6 +31,10 @@ pub(in crate::sim) struct BearingTable {
     speed: Option<f64>,
     /// Width \[m\]; a pad without it is wide.
     width: Option<f64>,
+    /// Load \[N\].
+    load: Option<f64>,
+    /// Pressure at which the oil cavitates \[Pa\].
+    cavitation_pressure: Option<f64>,
     /// Pressure of grooves and holes above ambient \[Pa\].
     supply_pressure: Option<f64>,
     /// Diameter of holes \[m\].
@@ -68,8 +72,6 @@ struct JournalTable {
     clearance: f64,
     /// Eccentricity over the clearance.
     eccentricity: Option<f64>,
-    /// Load \[N\].
-    load: Option<f64>,
     /// Angles of grooves from the load \[rad\].
     groove_angles: Option<Vec<f64>>,
     /// Width of grooves \[m\].
@@ -95,15 +97,19 @@ struct PadTable {
     /// Length \[m\].
     length: f64,
     /// Film at the inlet \[m\].
-    inlet_film: f64,
+    inlet_film: Option<f64>,
     /// Film at the outlet \[m\].
-    outlet_film: f64,
+    outlet_film: Option<f64>,
+    /// Film at the inlet less that at the outlet \[m\].
+    taper: Option<f64>,
+    /// Distance of the pivot from the inlet \[m\].
+    pivot: Option<f64>,
     /// Length of the part before the step \[m\]; of `kind = "step"` alone.
     step: Option<f64>,
     /// Pressures at inlet, outlet and both sides \[Pa\].
     edge_pressures: Option<Vec<f64>>,
-    /// Pressure at which the oil cavitates \[Pa\].
-    cavitation_pressure: Option<f64>,
+    /// Whether the film repeats along the motion.
+    periodic: Option<bool>,
     /// Diameter of dimples \[m\].
     dimple_diameter: Option<f64>,
     /// Depth of dimples \[m\].
@@ -139,9 +145,20 @@ impl BearingTable {
         given.try_into().map_err(|_| wrong())
     }
 
-    /// Pressure at which the oil of a pad cavitates.
+    /// Pressure at which the oil cavitates.
     pub(in crate::sim) fn cavitation_pressure(&self) -> f64 {
-        self.pad().and_then(|pad| pad.cavitation_pressure).unwrap_or(0.0)
+        self.cavitation_pressure.unwrap_or(0.0)
+    }
+
+    /// Whether the film of a pad repeats along the motion.
+    pub(in crate::sim) fn is_periodic(&self) -> Result<bool, String> {
+        let is_periodic = self.pad().and_then(|pad| pad.periodic).unwrap_or(false);
+        if is_periodic && self.width.is_none() {
+            return Err(
+                "`periodic` needs the `width` of the pad, through whose sides the film is fed".to_owned()
+            );
+        }
+        Ok(is_periodic)
     }
 
     /// Roughness of both surfaces.
@@ -259,8 +276,8 @@ impl BearingTable {
     pub(in crate::sim) fn spec(&self) -> Result<BearingSpec, String> {
         let (speed, width) = (required("speed", self.speed)?, self.width);
         Ok(match &self.kind {
-            BearingKind::Journal(JournalTable { diameter, clearance, eccentricity, load, .. }) => {
-                let position = match (*eccentricity, *load) {
+            BearingKind::Journal(JournalTable { diameter, clearance, eccentricity, .. }) => {
+                let position = match (*eccentricity, self.load) {
                     (Some(eccentricity), None) => JournalPosition::Eccentricity(eccentricity),
                     (None, Some(load)) => JournalPosition::Load(load),
                     (Some(_), Some(_)) => {
@@ -273,15 +290,20 @@ impl BearingTable {
                 let (width, diameter, clearance) = (required("width", width)?, *diameter, *clearance);
                 BearingSpec::Journal { diameter, width, clearance, speed, position }
             }
-            &BearingKind::Pad(PadTable { length, inlet_film, outlet_film, step: None, .. }) => {
-                BearingSpec::Pad { length, width, inlet_film, outlet_film, speed }
-            }
-            BearingKind::Pad(_) => {
+            BearingKind::Pad(PadTable { step: Some(_), .. }) => {
                 return Err("unknown key `step`, kind = \"pad\" has none; kind = \"step\" has one".to_owned());
             }
-            &BearingKind::Step(PadTable { length, inlet_film, outlet_film, step, .. }) => {
-                let step = required("step", step)?;
-                BearingSpec::Step { length, width, inlet_film, outlet_film, step, speed }
+            BearingKind::Step(PadTable { pivot: Some(_), .. }) => {
+                return Err(
+                    "unknown key `pivot`, kind = \"step\" has none; kind = \"pad\" has one".to_owned()
+                );
+            }
+            BearingKind::Pad(pad) => {
+                BearingSpec::Pad { length: pad.length, width, film: pad.film(self.load)?, step: None, speed }
+            }
+            BearingKind::Step(pad) => {
+                let step = Some(required("step", pad.step)?);
+                BearingSpec::Pad { length: pad.length, width, film: pad.film(self.load)?, step, speed }
             }
         })
     }
@@ -291,6 +313,40 @@ impl BearingTable {
         match &self.kind {
             BearingKind::Journal(_) => None,
             BearingKind::Pad(pad) | BearingKind::Step(pad) => Some(pad),
+        }
+    }
+}
+
+impl PadTable {
+    /// Prescribed films, or those under a `load`.
+    fn film(&self, load: Option<f64>) -> Result<PadFilm, String> {
+        let films = [("inlet_film", self.inlet_film), ("outlet_film", self.outlet_film)];
+        let shapes = [("taper", self.taper), ("pivot", self.pivot)];
+        let first =
+            |keys: [(&'static str, Option<f64>); 2]| keys.into_iter().find(|(_, given)| given.is_some());
+        let Some(load) = load else {
+            if let Some((shape, _)) = first(shapes) {
+                return Err(format!("missing field `load`, with which `{shape}` determines the films"));
+            }
+            let missing = |key| {
+                format!("missing field `{key}`, or `load` with `taper` or `pivot` in place of both films")
+            };
+            let [inlet, outlet] = films.map(|(key, film)| film.ok_or_else(|| missing(key)));
+            return Ok(PadFilm::Given { inlet: inlet?, outlet: outlet? });
+        };
+        if let Some((film, _)) = first(films) {
+            return Err(format!(
+                "`load` determines `{film}`; leave it out and give `taper`, the film at the inlet less that at the outlet"
+            ));
+        }
+        match [self.taper, self.pivot] {
+            [Some(taper), None] => Ok(PadFilm::Fixed { load, taper }),
+            [None, Some(pivot)] => Ok(PadFilm::Pivoted { load, pivot }),
+            [Some(_), Some(_)] => Err("`pivot` determines `taper`; give only one".to_owned()),
+            [None, None] => Err(
+                "missing field `taper`, the film at the inlet less that at the outlet, or `pivot`, the distance of the pivot from the inlet"
+                    .to_owned(),
+            ),
         }
     }
 }

@@ -70,6 +70,8 @@ pub(super) const KEYS: &[(&str, Dimension)] = &[
     ("given_film.length", Length),
     ("given_film.inlet_film", Length),
     ("given_film.outlet_film", Length),
+    ("given_film.taper", Length),
+    ("given_film.pivot", Length),
     ("given_film.step", Length),
     ("given_film.speed", Speed),
     ("given_film.edge_pressures", Pressure),

@@ -68,7 +68,7 @@ pub use elastic::{CoatedBody, Elastic, FilmElasticSpec, LayerSpec};
 pub use explain::explain;
 #[cfg(feature = "serde")]
 pub use given_film::{
-    BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadRelief, RoughnessSpec,
+    BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadFilm, PadRelief, RoughnessSpec,
 };
 #[cfg(feature = "serde")]
 pub(in crate::sim) use given_film_table::BearingFile;

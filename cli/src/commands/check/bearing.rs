@@ -41,9 +41,7 @@ pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, 
 fn specific_load(bearing: &RigidBearing, numbers: &BearingNumbers) -> f64 {
     let area = match bearing.bearing {
         BearingSpec::Journal { diameter, width, .. } => diameter * width,
-        BearingSpec::Pad { length, width, .. } | BearingSpec::Step { length, width, .. } => {
-            length * width.unwrap_or(1.0)
-        }
+        BearingSpec::Pad { length, width, .. } => length * width.unwrap_or(1.0),
         _ => f64::NAN,
     };
     numbers.load / area
@@ -52,15 +50,6 @@ fn specific_load(bearing: &RigidBearing, numbers: &BearingNumbers) -> f64 {
 /// Size and motion, and the specific load.
 fn size(bearing: &RigidBearing, numbers: &BearingNumbers) -> Vec<String> {
     let metres = |length: f64| by_size(length, "m");
-    let pad = |length: f64, width: Option<f64>, [inlet, outlet]: [f64; 2], speed: f64| {
-        let width = width.map_or_else(|| "wide".to_owned(), |width| format!("{} wide", metres(width)));
-        format!(
-            "pad        {} long, {width}; film {} at the inlet, {} at the outlet; {speed:.4} m/s",
-            metres(length),
-            metres(inlet),
-            metres(outlet)
-        )
-    };
     let first = match bearing.bearing {
         BearingSpec::Journal { diameter, width, clearance, speed, .. } => format!(
             "bearing    diameter {}, width {}, radial clearance {} ({:.2} per mille); {speed:.4} m/s",
@@ -69,9 +58,9 @@ fn size(bearing: &RigidBearing, numbers: &BearingNumbers) -> Vec<String> {
             metres(clearance),
             2e3 * clearance / diameter
         ),
-        BearingSpec::Pad { length, width, inlet_film, outlet_film, speed }
-        | BearingSpec::Step { length, width, inlet_film, outlet_film, speed, .. } => {
-            pad(length, width, [inlet_film, outlet_film], speed)
+        BearingSpec::Pad { length, width, speed, .. } => {
+            let width = width.map_or_else(|| "wide".to_owned(), |width| format!("{} wide", metres(width)));
+            format!("bearing    pad, {} long, {width}; {speed:.4} m/s", metres(length))
         }
         _ => "bearing    with a prescribed film".to_owned(),
     };

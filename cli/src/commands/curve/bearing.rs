@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use stribeck::sim::scene::{BearingSpec, JournalPosition};
+use stribeck::sim::scene::{BearingSpec, JournalPosition, PadFilm};
 use stribeck::sim::{BearingSolution, RigidBearing, SimError};
 use stribeck::{InputError, Status};
 
@@ -91,17 +91,16 @@ fn own_value(bearing: &RigidBearing, over: Axis) -> Result<[f64; 2], InputError>
         })
     };
     match (over, bearing.bearing) {
-        (
-            Axis::Speed,
-            BearingSpec::Journal { speed, .. }
-            | BearingSpec::Pad { speed, .. }
-            | BearingSpec::Step { speed, .. },
-        ) => Ok(SPEEDS.map(|factor| factor * speed)),
-        (Axis::Load, BearingSpec::Journal { position: JournalPosition::Load(load), .. }) => {
-            Ok(LOADS.map(|factor| factor * load))
+        (Axis::Speed, BearingSpec::Journal { speed, .. } | BearingSpec::Pad { speed, .. }) => {
+            Ok(SPEEDS.map(|factor| factor * speed))
         }
+        (
+            Axis::Load,
+            BearingSpec::Journal { position: JournalPosition::Load(load), .. }
+            | BearingSpec::Pad { film: PadFilm::Fixed { load, .. } | PadFilm::Pivoted { load, .. }, .. },
+        ) => Ok(LOADS.map(|factor| factor * load)),
         (Axis::Load, _) => refused(
-            "the load of this bearing follows from its film; a journal with `load` has a curve over it",
+            "the load of this bearing follows from its film; a bearing with `load` has a curve over it",
         ),
         (Axis::Temperature, _) => Ok(super::axis::TEMPERATURES),
         _ => refused("one surface of a rigid bearing is at rest; --over speed, load or temperature"),
@@ -111,13 +110,14 @@ fn own_value(bearing: &RigidBearing, over: Axis) -> Result<[f64; 2], InputError>
 /// Sets the quantity to `value`; with a heat balance the temperature is that of the supply.
 fn set(bearing: &mut RigidBearing, over: Axis, value: f64) {
     match (over, &mut bearing.bearing) {
-        (
-            Axis::Speed,
-            BearingSpec::Journal { speed, .. }
-            | BearingSpec::Pad { speed, .. }
-            | BearingSpec::Step { speed, .. },
-        ) => *speed = value,
+        (Axis::Speed, BearingSpec::Journal { speed, .. } | BearingSpec::Pad { speed, .. }) => *speed = value,
         (Axis::Load, BearingSpec::Journal { position, .. }) => *position = JournalPosition::Load(value),
+        (
+            Axis::Load,
+            BearingSpec::Pad { film: PadFilm::Fixed { load, .. } | PadFilm::Pivoted { load, .. }, .. },
+        ) => {
+            *load = value;
+        }
         (Axis::Temperature, _) => match &mut bearing.heat {
             Some(balance) => balance.supply_temperature = value,
             None => bearing.temperature = value,

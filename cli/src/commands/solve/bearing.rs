@@ -70,7 +70,7 @@ pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, 
 /// The unit behind forces, flows and powers of a pad without width.
 fn per(bearing: &RigidBearing) -> &'static str {
     match bearing.bearing {
-        BearingSpec::Pad { width: None, .. } | BearingSpec::Step { width: None, .. } => "/m",
+        BearingSpec::Pad { width: None, .. } => "/m",
         _ => "",
     }
 }
@@ -95,6 +95,7 @@ pub(in crate::commands) fn report(
         return lines.join("\n");
     }
     lines.extend(position(numbers));
+    lines.extend(pad_films(numbers));
     let BearingNumbers { friction_moving, friction_resting, .. } = numbers;
     let above = numbers.load_above_edges.map_or_else(String::new, |above| {
         format!("; {} without the least pressure of the edges", force(above))
@@ -193,6 +194,15 @@ fn heat(numbers: &BearingNumbers, per: &str) -> Option<String> {
 
 fn celsius(temperature: f64) -> f64 {
     temperature - 273.15
+}
+
+/// Films at both ends of a pad, and where its load acts.
+fn pad_films(numbers: &BearingNumbers) -> Option<String> {
+    let [inlet, outlet] = [numbers.inlet_film?, numbers.outlet_film?].map(|film| by_size(film, "m"));
+    let center = numbers.pressure_center.map_or_else(String::new, |center| {
+        format!("; center of pressure {} behind the inlet", by_size(center, "m"))
+    });
+    Some(format!("pad        film {inlet} at the inlet, {outlet} at the outlet{center}"))
 }
 
 /// Position of a journal and the direction of its load.

@@ -60,7 +60,7 @@ pub(in crate::sim) fn turbulent_film(
             let message = format!("above {TAYLOR} sqrt(R/c) = {limit:.0} the film has Taylor vortices");
             (speed, reynolds, (reynolds > limit).then_some(message)?, "a smaller clearance")
         }
-        BearingSpec::Pad { speed, .. } | BearingSpec::Step { speed, .. } => {
+        BearingSpec::Pad { speed, .. } => {
             let reynolds = number(speed, mean_film);
             let message = format!("above {TRANSITION} films become turbulent");
             (speed, reynolds, (reynolds > TRANSITION).then_some(message)?, "a thinner film")
