@@ -30,7 +30,8 @@ use crate::sim::scene::cycle_source::CycleSource;
 )]
 #[non_exhaustive]
 pub struct CycleSpec {
-    /// A file of comma-separated values in place of the lists: a line of names with units, `angle (deg)`, then the rows.
+    /// A text file in place of the lists: a line of names with units, `angle (deg)`, then the rows; commas, semicolons, tabs or
+    /// blanks separate the cells.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub table: Option<PathBuf>,
     /// Times of the rows \[s\].

@@ -13,14 +13,14 @@ pub(in crate::sim) enum CycleSource {
     File(CycleLines),
 }
 
-/// A file of comma-separated values.
+/// A table in a text file.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct CycleLines {
     pub(super) path: PathBuf,
     /// Key and heading of each column, `load` and `load (kN/m)`.
     pub(super) columns: Vec<(&'static str, String)>,
-    /// Number of each line of values, counted from 1, and its text.
-    pub(super) lines: Vec<(usize, String)>,
+    /// Number of each line of values, counted from 1, and its cells.
+    pub(super) lines: Vec<(usize, Vec<String>)>,
 }
 
 impl CycleSource {
@@ -64,9 +64,8 @@ impl CycleLines {
     /// Line, heading and text of the value of `key` in `row`.
     fn written(&self, key: &str, row: usize) -> Option<String> {
         let column = self.columns.iter().position(|(known, _)| *known == key)?;
-        let (line, text) = self.lines.get(row)?;
-        let cell = text.split(',').nth(column)?;
-        Some(format!("line {line}, {} = {}", escape(&self.columns.get(column)?.1), escape(cell.trim())))
+        let (line, cells) = self.lines.get(row)?;
+        Some(format!("line {line}, {} = {}", escape(&self.columns.get(column)?.1), escape(cells.get(column)?)))
     }
 
     /// The error of the file for `reason`.

@@ -8,6 +8,7 @@ use std::error::Error;
 use std::f64::consts::TAU;
 use std::fs;
 
+use stribeck::text_table;
 use stribeck::units::Dimension;
 
 use super::{Machine, Options, length, number};
@@ -21,35 +22,35 @@ const EVEN: f64 = 1e-3;
 /// Largest lift over the radius of the base circle.
 const LARGEST_LIFT: f64 = 10.0;
 
-/// Angles \[deg\] and lifts \[m\] of the lines of `text`; an error in words.
-fn rows(text: &str) -> Result<[Vec<f64>; 2], String> {
-    let (mut angles, mut lifts) = (Vec::new(), Vec::new());
-    for (index, line) in text.lines().enumerate() {
-        let line = line.trim();
-        if line.is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let cells: Vec<&str> = if line.contains([',', ';']) {
-            line.split([',', ';']).map(str::trim).collect()
-        } else {
-            line.split_whitespace().collect()
-        };
+/// An angle and its lift.
+struct Entry {
+    /// Number of the line in the file, counted from 1.
+    line: usize,
+    /// Angle \[deg\].
+    angle: f64,
+    /// Lift \[m\].
+    lift: f64,
+}
+
+/// The lines of `text`; an error in words.
+fn entries(text: &str) -> Result<Vec<Entry>, String> {
+    let mut entries = Vec::new();
+    for text_table::Row { line, text, cells, .. } in text_table::rows(text) {
         let values: Vec<Option<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
         match *values.as_slice() {
             [Some(angle), Some(lift)] if f64::is_finite(angle) && f64::is_finite(lift) => {
-                angles.push(angle);
-                lifts.push(lift);
+                entries.push(Entry { line, angle, lift });
             }
-            _ if angles.is_empty() && values.iter().all(Option::is_none) => {}
+            // a line of names
+            _ if entries.is_empty() && values.iter().all(Option::is_none) => {}
             _ => {
                 return Err(format!(
-                    "line {} is not an angle in degrees and a lift in metres, as in `12.5, 1e-3`: `{line}`",
-                    index + 1
+                    "line {line} is not an angle in degrees and a lift in metres, as in `12.5, 1e-3`: `{text}`"
                 ));
             }
         }
     }
-    Ok([angles, lifts])
+    Ok(entries)
 }
 
 /// Lifts \[m\] at even angles of a turn, and their first angle \[rad\].
@@ -57,21 +58,22 @@ fn lifts(options: &Options) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
     let path = options.cam.as_ref().ok_or("--cam is missing")?;
     let refused = |reason: String| -> Box<dyn Error> { format!("--cam {}: {reason}", path.display()).into() };
     let text = fs::read_to_string(path).map_err(|error| refused(files::io_words(&error)))?;
-    let [angles, mut lifts] = rows(&text).map_err(refused)?;
-    let count = angles.len();
+    let entries = entries(&text).map_err(refused)?;
+    let mut lifts: Vec<f64> = entries.iter().map(|entry| entry.lift).collect();
+    let count = entries.len();
     if count < 16 {
         return Err(refused(format!("has {count} lines, a lift needs at least 16")));
     }
     // The median: a missing line or one twice is named, not the first.
-    let mut steps: Vec<f64> = angles.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mut steps: Vec<f64> = entries.windows(2).map(|pair| pair[1].angle - pair[0].angle).collect();
     steps.sort_by(f64::total_cmp);
     let step = steps[steps.len() / 2];
-    if let Some(row) = angles.windows(2).position(|pair| (pair[1] - pair[0] - step).abs() > EVEN * step.abs())
-    {
+    let is_uneven =
+        |[before, entry]: &&[Entry; 2]| (entry.angle - before.angle - step).abs() > EVEN * step.abs();
+    if let Some([before, entry]) = entries.array_windows().find(is_uneven) {
         return Err(refused(format!(
-            "angle {} follows {}: the angles must have even steps, as those of {step} degrees",
-            angles[row + 1],
-            angles[row]
+            "line {}: angle {} follows {}; the angles must have even steps, as those of {step} degrees",
+            entry.line, entry.angle, before.angle
         )));
     }
     // The last line may repeat the first.
@@ -83,7 +85,7 @@ fn lifts(options: &Options) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
             step * count as f64
         )));
     }
-    Ok((lifts, angles[0].to_radians()))
+    Ok((lifts, entries[0].angle.to_radians()))
 }
 
 /// The cam over a turn.
