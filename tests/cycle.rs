@@ -234,7 +234,7 @@ fn scenes_without_a_cycle_are_refused_by_reason() {
         (|s| s.cycle = None, "is missing"),
         (|s| s.lubricant = None, "dry"),
         (|s| s.grid = GridSpec::Row { nx: 64, x: [-0.4e-3, 0.2e-3] }, "symmetric"),
-        (|s| s.solver.estimate = true, "solver.estimate"),
+        (|s| s.solver.accuracy = Some(0.05), "solver.accuracy"),
         (|s| s.solver.model = stribeck::sim::scene::SolverModel::AsperityInlets, "quasi_static"),
         (|s| s.motion.roughness = RoughnessState::Moving, "add quasi_static = true"),
         (

@@ -121,7 +121,8 @@ fn no_estimate() -> Warning {
         "solver.estimate",
         f64::NAN,
         "errors of the mesh are estimated for single contacts, not over a cycle".to_owned(),
-        "`stribeck solve` estimates them for the contact of the scene; for the cycle compare two meshes".to_owned(),
+        "`stribeck solve` estimates them for the contact of the scene; for the cycle compare two meshes"
+            .to_owned(),
     )
 }
 

@@ -127,7 +127,7 @@ impl<'a> Heading<'a> {
     fn value(&self, cell: &str) -> Result<f64, String> {
         let text = escape(self.text);
         if cell.is_empty() {
-            return Err(format!("column {text} is empty"));
+            return Err(format!("column {text} is empty; give each row a value"));
         }
         if self.unit.is_empty() {
             return cell.parse().map_err(|_| not_a_number(&text, cell));

@@ -124,7 +124,9 @@ pub(in crate::sim) fn read_table(path: &Path, field: &str) -> Result<(Vec<f64>, 
             }
             // A header line.
             [None, None] if first => {}
-            _ => return Err(unusable(format!("line {} is not a time and a value: `{}`", row.line, row.text))),
+            _ => {
+                return Err(unusable(format!("line {} is not a time and a value: `{}`", row.line, row.text)));
+            }
         }
         first = false;
         Ok(())

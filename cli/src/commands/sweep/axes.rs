@@ -65,9 +65,9 @@ impl Axis {
             Values::Range(from, to, count) => {
                 let end = |text: &str| -> Result<Value, String> {
                     let number = si_value(&with(tables, &self.key, plain(text))?, &self.key);
-                    number.filter(|value| number_of(value).is_some() || whole(value).is_some()).ok_or_else(|| {
-                        format!("--over {}: {text} is not a number; a range needs numbers", self.key)
-                    })
+                    number.filter(|value| number_of(value).is_some() || whole(value).is_some()).ok_or_else(
+                        || format!("--over {}: {text} is not a number; a range needs numbers", self.key),
+                    )
                 };
                 let (from, to) = (end(from)?, end(to)?);
                 Ok(match (whole(&from), whole(&to)) {

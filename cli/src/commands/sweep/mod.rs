@@ -132,8 +132,7 @@ fn refused(error: &dyn Error) -> Value {
 
 /// The result with the inputs of its point.
 fn with_inputs(input: &Input, result: &Value) -> Value {
-    let inputs: serde_json::Map<String, Value> =
-        input.values.iter().cloned().collect();
+    let inputs: serde_json::Map<String, Value> = input.values.iter().cloned().collect();
     let mut object = json!({ "inputs": inputs });
     for part in ["status", "error", "values"] {
         object[part] = result[part].clone();

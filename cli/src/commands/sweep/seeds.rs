@@ -17,7 +17,7 @@ const SHOWN: [(&str, &str, f64); 6] = [
     ("area ratio", "contact.area_ratio", 1.0),
 ];
 /// Width of a column of the printed table.
-const WIDTH: usize = 22;
+const WIDTH: usize = 25;
 
 /// Converged points that differ in their seeds alone.
 pub(super) struct Group {
