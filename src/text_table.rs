@@ -21,7 +21,7 @@ pub struct Row<'a> {
 
 /// The lines of `text` that are neither empty nor begin with `#`.
 ///
-/// Semicolons separate the cells of a line that has one, else commas, else tabs, else blanks. A unit in parentheses belongs
+/// Semicolons separate the cells of a line that has one, else tabs, else commas, else blanks. A unit in parentheses belongs
 /// to the cell before it.
 ///
 /// ```
@@ -39,7 +39,7 @@ pub fn rows(text: &str) -> impl Iterator<Item = Row<'_>> {
 
 /// The cells of a line.
 fn cells(line: &str) -> Vec<&str> {
-    match [';', ',', '\t'].into_iter().find(|mark| line.contains(*mark)) {
+    match [';', '\t', ','].into_iter().find(|mark| line.contains(*mark)) {
         Some(mark) => line.split(mark).map(unquoted).collect(),
         None => between_blanks(line).into_iter().map(unquoted).collect(),
     }

@@ -109,7 +109,8 @@ fn seeds_have_means_and_standard_deviations() {
     let folder = tempfile::tempdir().unwrap();
     let scene = rough(folder.path(), &[]);
     let over = ["--over", "roughness.disc.seed=1,2,18446744073709551615", "--over", "load.force=10,20"];
-    let output = sweep(&scene, &folder.path().join("out"), &over);
+    let out = folder.path().join("out");
+    let output = sweep(&scene, &out, &over);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let (json, points) = (json_of(&output), points(&output));
     assert_eq!(points[4]["inputs"]["roughness.disc.seed"], u64::MAX);
@@ -127,7 +128,7 @@ fn seeds_have_means_and_standard_deviations() {
         assert!((found["standard_deviation"].as_f64().unwrap() / deviation - 1.0).abs() < 1e-9, "{found}");
         assert!(deviation > 0.0);
     }
-    let arguments = [&["sweep", text(&scene), "--out", text(&folder.path().join("out"))], &over[..]].concat();
+    let arguments = [&["sweep", text(&scene), "--out", text(&out)], &over[..]].concat();
     let told = String::from_utf8(stribeck(&arguments).stdout).unwrap();
     assert!(told.contains("\nseeds ") && told.contains("load.force = 20") && told.contains(" +- "), "{told}");
 }
