@@ -19,10 +19,13 @@ const SHOWN: [(&str, &str, f64); 6] = [
 /// Width of a column of the printed table.
 const WIDTH: usize = 25;
 
+/// Values by the keys of the scene.
+type Inputs = Vec<(String, Value)>;
+
 /// Converged points that differ in their seeds alone.
 pub(super) struct Group {
     /// The inputs beside the seeds.
-    inputs: Vec<(String, Value)>,
+    inputs: Inputs,
     /// Number of points.
     count: usize,
     /// Numbers that all points have.
@@ -34,10 +37,10 @@ pub(super) fn groups(axes: &[Axis], inputs: &[Input], done: &[(usize, Value)]) -
     if !axes.iter().any(Axis::is_seed) {
         return Vec::new();
     }
-    let mut groups: Vec<(Vec<(String, Value)>, Vec<&Value>)> = Vec::new();
+    let mut groups: Vec<(Inputs, Vec<&Value>)> = Vec::new();
     for (k, result) in done.iter().filter(|(_, result)| result["status"] == "converged") {
         let fixed = axes.iter().zip(&inputs[*k].values).filter(|(axis, _)| !axis.is_seed());
-        let fixed: Vec<_> = fixed.map(|(_, input)| input.clone()).collect();
+        let fixed: Inputs = fixed.map(|(_, input)| input.clone()).collect();
         match groups.iter_mut().find(|(inputs, _)| *inputs == fixed) {
             Some((_, results)) => results.push(&result["values"]),
             None => groups.push((fixed, vec![&result["values"]])),
@@ -49,7 +52,7 @@ pub(super) fn groups(axes: &[Axis], inputs: &[Input], done: &[(usize, Value)]) -
 
 impl Group {
     /// The group of the points with these `results`.
-    fn of(inputs: Vec<(String, Value)>, results: &[&Value]) -> Self {
+    fn of(inputs: Inputs, results: &[&Value]) -> Self {
         let mut columns: Vec<(String, Vec<f64>)> = Vec::new();
         for (name, value) in results.iter().flat_map(|result| folder::leaves(result)) {
             let Some(value) = value.as_f64() else { continue };
