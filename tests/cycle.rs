@@ -296,8 +296,8 @@ fn cycle_tables_are_read_with_units() {
         ("time, load\n0, heavy\n", ["line 2", "`heavy`"]),
         ("time, weight\n0, 1\n", ["weight", "bulk_temperature"]),
         ("", ["flank.csv", "is empty"]),
-        ("time;load (kN/m)\n0;100,5\n", ["line 1", "separated by commas"]),
-        ("time;load\n0;1e5\n", ["line 1", "separated by commas, not by `;`"]),
+        ("time;load (kN/m)\n0;100,5\n", ["line 2", "decimal point"]),
+        ("time;load\n0;\n", ["line 2", "load is empty"]),
         ("time, load, load\n0, 1, 1\n", ["line 1", "load is there twice"]),
         (
             "# rig\n\ntime (ms), load\n0, 1e5\n1, 1e5\n0.5, 1e5\n",
