@@ -106,6 +106,7 @@ mod surface_state;
 #[cfg(feature = "testing")]
 pub mod testing;
 mod text_file;
+pub mod text_table;
 pub mod thermal;
 pub mod tribochem;
 pub mod units;

@@ -234,7 +234,7 @@ fn scenes_without_a_cycle_are_refused_by_reason() {
         (|s| s.cycle = None, "is missing"),
         (|s| s.lubricant = None, "dry"),
         (|s| s.grid = GridSpec::Row { nx: 64, x: [-0.4e-3, 0.2e-3] }, "symmetric"),
-        (|s| s.solver.estimate = true, "solver.estimate"),
+        (|s| s.solver.accuracy = Some(0.05), "solver.accuracy"),
         (|s| s.solver.model = stribeck::sim::scene::SolverModel::AsperityInlets, "quasi_static"),
         (|s| s.motion.roughness = RoughnessState::Moving, "add quasi_static = true"),
         (
@@ -296,8 +296,8 @@ fn cycle_tables_are_read_with_units() {
         ("time, load\n0, heavy\n", ["line 2", "`heavy`"]),
         ("time, weight\n0, 1\n", ["weight", "bulk_temperature"]),
         ("", ["flank.csv", "is empty"]),
-        ("time;load (kN/m)\n0;100,5\n", ["line 1", "separated by commas"]),
-        ("time;load\n0;1e5\n", ["line 1", "separated by commas, not by `;`"]),
+        ("time;load (kN/m)\n0;100,5\n", ["line 2", "decimal point"]),
+        ("time;load\n0;\n", ["line 2", "load is empty"]),
         ("time, load, load\n0, 1, 1\n", ["line 1", "load is there twice"]),
         (
             "# rig\n\ntime (ms), load\n0, 1e5\n1, 1e5\n0.5, 1e5\n",

@@ -19,6 +19,7 @@ mod compliant_film;
 mod conformance;
 mod cycle;
 mod cycle_history;
+mod cycle_steps;
 mod data_sheets;
 mod dry;
 mod elastic;

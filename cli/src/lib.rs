@@ -11,6 +11,7 @@ mod interrupt;
 mod output;
 mod picture;
 mod report;
+mod sample;
 mod surface_numbers;
 
 use std::ffi::OsString;

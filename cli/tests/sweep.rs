@@ -102,3 +102,49 @@ fn sweep_refuses_what_does_not_fit() {
         assert_refused(&arguments, words);
     }
 }
+
+/// Means and sample standard deviations over the seeds, for each load.
+#[test]
+fn seeds_have_means_and_standard_deviations() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = rough(folder.path(), &[]);
+    let over = ["--over", "roughness.disc.seed=1,2,18446744073709551615", "--over", "load.force=10,20"];
+    let out = folder.path().join("out");
+    let output = sweep(&scene, &out, &over);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let (json, points) = (json_of(&output), points(&output));
+    assert_eq!(points[4]["inputs"]["roughness.disc.seed"], u64::MAX);
+    let groups = json["seeds"].as_array().unwrap();
+    assert_eq!(groups.len(), 2, "{json}");
+    for (group, load) in groups.iter().zip([10.0, 20.0]) {
+        assert_eq!((&group["inputs"]["load.force"], &group["count"]), (&Value::from(load), &Value::from(3)));
+        let of_load = points.iter().filter(|point| point["inputs"]["load.force"] == load);
+        let films: Vec<f64> =
+            of_load.map(|point| point["values"]["film"]["mean_central"].as_f64().unwrap()).collect();
+        let mean = films.iter().sum::<f64>() / 3.0;
+        let deviation = (films.iter().map(|film| (film - mean).powi(2)).sum::<f64>() / 2.0).sqrt();
+        let found = &group["means"]["film.mean_central"];
+        assert!((found["mean"].as_f64().unwrap() / mean - 1.0).abs() < 1e-12, "{found}");
+        assert!((found["standard_deviation"].as_f64().unwrap() / deviation - 1.0).abs() < 1e-9, "{found}");
+        assert!(deviation > 0.0);
+    }
+    let arguments = [&["sweep", text(&scene), "--out", text(&out)], &over[..]].concat();
+    let told = String::from_utf8(stribeck(&arguments).stdout).unwrap();
+    assert!(told.contains("\nseeds ") && told.contains("load.force = 20") && told.contains(" +- "), "{told}");
+}
+
+#[test]
+fn ranges_of_whole_numbers_stay_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = rough(folder.path(), &[]);
+    let seeds = |over: &str| -> Vec<Value> {
+        let output = sweep(&scene, &folder.path().join(over), &["--over", over]);
+        points(&output).iter().map(|point| point["inputs"]["roughness.disc.seed"].clone()).collect()
+    };
+    assert_eq!(seeds("roughness.disc.seed=1..3:3"), [1, 2, 3]);
+    let last = u64::MAX;
+    assert_eq!(
+        seeds("roughness.disc.seed=18446744073709551613..18446744073709551615:3"),
+        [last - 2, last - 1, last]
+    );
+}

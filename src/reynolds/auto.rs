@@ -4,6 +4,7 @@
 //! no lubricant ───────────────────> Dry
 //! paper's contact ────────────────> hard contact first; SemiSystem where anything touches
 //! smooth full film on many nodes ─> Multigrid ──not converged──> NewtonKrylov
+//!   after a step in time ─────────> NewtonKrylov
 //! all else ───────────────────────> NewtonKrylov ──not converged, nothing touches──> SemiSystem
 //! ```
 //!
@@ -32,7 +33,8 @@ const FEW_NODES: usize = 64 * 64;
 const FILM_OVER_CONTACT: f64 = 10.0;
 
 /// Uses [`Dry`] without a lubricant. Uses [`Multigrid`] if a smooth full film is expected on more than 64 x 64
-/// nodes; [`NewtonKrylov`] continues if the tolerance is not reached, and solves all other contacts. If it does not
+/// nodes and the contact does not follow another one in time; [`NewtonKrylov`] continues if the tolerance is not reached, and
+/// solves all other contacts. If it does not
 /// converge and no solids touch, [`SemiSystem`] is tried, which would not converge in solid contact. The report
 /// names the solver whose state was kept ([`SolverId::MultigridThenNewton`] if Newton's method continued from
 /// multigrid) and sums the work of all.
@@ -159,7 +161,9 @@ impl Auto {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        if !Multigrid::suits(problem) || problem.gap.len() <= FEW_NODES {
+        // A step in time begins near its solution, where Newton's method converges quadratically.
+        let is_next_step = problem.squeeze.is_some() && state.pressure.iter().any(|&p| p > 0.0);
+        if is_next_step || !Multigrid::suits(problem) || problem.gap.len() <= FEW_NODES {
             return self.newton_then_sweeps(problem, state, stop);
         }
         // Multigrid first; its start is kept for Newton's method.

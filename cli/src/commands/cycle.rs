@@ -3,6 +3,7 @@
 mod chart;
 mod history;
 mod page;
+mod solved;
 mod squeeze;
 
 use std::error::Error;
@@ -10,14 +11,14 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::json;
-use stribeck::sim::{CyclePoint, CycleSolution, MixedLubricationSim, SimError};
+use stribeck::sim::{CyclePoint, MixedLubricationSim, Scene, SimError};
 use stribeck::units::by_size;
 
 use crate::output::{self, Held, Outcome, Output, ReportFile};
 use crate::picture;
 use crate::{files, interrupt};
 use chart::{chart, pressure_unit};
+use solved::{Kept, Solved};
 use squeeze::{largest_squeeze, squeeze_warning};
 
 /// Kind of contact, by which the results have units and films.
@@ -38,7 +39,7 @@ impl Kind {
 const LINES: usize = 25;
 
 /// The table [cycle] of the scene has the conditions over time or angle. Each contact is a line of `SCENE_cycle.csv`, each solved cycle
-/// of a history (cycle.repeat) one of `SCENE_cycles.csv`.
+/// of a history (cycle.repeat) one of `SCENE_cycles.csv`. `SCENE_cycle.json` keeps the solved cycle: the same scene is not solved again.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
@@ -50,22 +51,43 @@ pub(crate) struct Options {
 }
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
-    let start = Instant::now();
     let scene = output::load(&options.scene)?;
     options.report.claim(&options.scene, options.output.force)?;
     let name = format!("{}_cycle", output::stem(&options.scene));
+    let (out, force) = (&options.output.out, options.output.force);
     let kind = Kind { is_line: scene.form.is_line(), is_rough: !scene.is_smooth() };
-    let is_line = kind.is_line;
-    let mut targets = vec![options.output.out.join(format!("{name}.csv"))];
+    let mut tables = vec![out.join(format!("{name}.csv"))];
     if scene.cycle.as_ref().is_some_and(|cycle| cycle.repeat.is_some()) {
-        targets.push(options.output.out.join(format!("{name}s.csv")));
+        tables.push(out.join(format!("{name}s.csv")));
     }
-    let cycles = targets.get(1).cloned();
+    let kept = Kept::of(&scene, out.join(format!("{name}.json")))?;
+    let pictures = if options.output.plot { picture::files(out, &name).to_vec() } else { Vec::new() };
+    let targets = [&tables[..], std::slice::from_ref(&kept.path), &pictures].concat();
+    files::make_folder(out)?;
+    files::claim(&targets, force || kept.is_of_scene(), output::OTHER_FOLDER)?;
+    let (solved, written) = match kept.solved(&tables).filter(|_| !force) {
+        Some(solved) => {
+            let text =
+                format!("{} has the cycle of this scene; --force solves it again", kept.path.display());
+            output::complain("solved", &text);
+            (solved, pictures)
+        }
+        None => {
+            let solved = solve(options, scene)?;
+            write_tables(&solved, &tables, kind)?;
+            kept.write(solved.to_json())?;
+            (solved, targets)
+        }
+    };
     if options.output.plot {
-        targets.extend(picture::files(&options.output.out, &name));
+        picture::write(&chart(&output::stem(&options.scene), &solved, kind), out, &name)?;
     }
-    files::make_folder(&options.output.out)?;
-    files::claim(&targets, options.output.force, output::OTHER_FOLDER)?;
+    finish(options, &solved, kind, written)
+}
+
+/// Solves the cycle of `scene`.
+fn solve(options: &Options, scene: Scene) -> Result<Solved, Box<dyn Error>> {
+    let start = Instant::now();
     let (held, bar) = (Held::default(), ProgressBar::new_spinner());
     bar.set_style(ProgressStyle::with_template("{spinner} {pos} contacts, {elapsed}")?);
     interrupt::listen("the cycle ends after this contact and keeps those before it")?;
@@ -80,44 +102,30 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     });
     bar.finish_and_clear();
     let solution = solved.map_err(|error: SimError| output::in_scene(&options.scene, &error))?;
-    let lines: Vec<String> = solution.points.iter().map(CyclePoint::csv).collect();
-    let columns = columns(CyclePoint::COLUMNS, is_line);
-    files::write(&targets[0], format!("{columns}\n{}\n", lines.join("\n")).as_bytes())?;
-    if let Some(path) = &cycles {
-        files::write(path, history::csv(&solution.cycles, is_line).as_bytes())?;
-    }
-    if options.output.plot {
-        picture::write(&chart(&output::stem(&options.scene), &solution, kind), &options.output.out, &name)?;
-    }
-    finish(options, &solution, kind, targets, start.elapsed().as_secs_f64())
+    Ok(Solved::of(solution, start.elapsed().as_secs_f64()))
+}
+
+/// Writes the contacts and, of a history, the cycles.
+fn write_tables(solved: &Solved, tables: &[PathBuf], kind: Kind) -> Result<(), Box<dyn Error>> {
+    let lines: String = solved.points.iter().map(|point| format!("{}\n", point.csv())).collect();
+    let contacts = format!("{}\n{lines}", columns(CyclePoint::COLUMNS, kind.is_line));
+    let texts = [contacts, history::csv(&solved.cycles, kind.is_line)];
+    tables.iter().zip(texts).try_for_each(|(table, text)| files::write(table, text.as_bytes()))
 }
 
 /// Prints the numbers of a solved cycle, and the files `written`.
 fn finish(
     options: &Options,
-    solution: &CycleSolution,
+    solution: &Solved,
     kind: Kind,
     mut written: Vec<PathBuf>,
-    seconds: f64,
 ) -> Result<Outcome, Box<dyn Error>> {
     output::warn(&solution.warnings);
     let squeeze = squeeze_warning(solution);
     if let Some(text) = &squeeze {
         output::complain("warning", text);
     }
-    let numbers = json!({
-        "points": solution.points,
-        "cycles": solution.cycles,
-        "quasi_static": solution.quasi_static,
-        "largest_step": solution.largest_step,
-        "closure": solution.closure,
-        "mean_friction_power": mean_power(&solution.points),
-        "largest_squeeze_ratio": largest_squeeze(solution).map(|point| point.squeeze_ratio),
-        "warnings": solution.warnings,
-        "ended_early": solution.ended_early.as_ref().map(ToString::to_string),
-        "seconds": seconds,
-        "version": env!("CARGO_PKG_VERSION"),
-    });
+    let numbers = solution.to_json();
     if let Some(path) = &options.report.report {
         page::write(options, (solution, squeeze), (&numbers, kind), path)?;
         written.push(path.clone());
@@ -125,7 +133,7 @@ fn finish(
     if options.output.json {
         output::print(&numbers)?;
     } else {
-        output::print(&format!("{}\ntime       {seconds:.2} s", report(solution, kind)))?;
+        output::print(&format!("{}\ntime       {:.2} s", report(solution, kind), solution.seconds))?;
     }
     output::report_files(&written, options.output.json)?;
     if let Some(reason) = &solution.ended_early {
@@ -165,7 +173,7 @@ fn place(point: &CyclePoint) -> String {
 }
 
 /// The cycle in lines: its extremes, and a table of contacts.
-fn report(solution: &CycleSolution, kind: Kind) -> String {
+fn report(solution: &Solved, kind: Kind) -> String {
     let Kind { is_line, is_rough } = kind;
     let points = &solution.points;
     let step = match (solution.quasi_static, solution.is_moving) {
@@ -198,7 +206,7 @@ fn report(solution: &CycleSolution, kind: Kind) -> String {
 }
 
 /// The extremes of the cycle, in lines.
-fn extremes(solution: &CycleSolution, is_line: bool) -> Vec<String> {
+fn extremes(solution: &Solved, is_line: bool) -> Vec<String> {
     let points = &solution.points;
     let mut lines = Vec::new();
     let extreme = |value: fn(&CyclePoint) -> f64, sign: f64| {

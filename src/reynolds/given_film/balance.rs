@@ -197,9 +197,14 @@ impl<'a> Balance<'a> {
     }
 
     /// The unknown of a node minus `change`. A node that becomes full starts with a smaller pressure if a
-    /// film that ruptures downstream of it has a larger outflow than a full one.
+    /// film that ruptures downstream of it has a larger outflow than a full one. In a period that is cavitated all around,
+    /// film fractions are determined up to a constant, and changes are arbitrarily large: a film fraction stays above 0, and
+    /// the pressure of a node that becomes full drives at most the flow of its full film.
     pub(super) fn moved(&self, k: usize, unknown: f64, change: f64) -> f64 {
-        let next = unknown - change;
+        let mut next = unknown - change;
+        if self.is_periodic {
+            next = if unknown < 0.0 { next.clamp(-1.0, 1.0) } else { next.max(-1.0) };
+        }
         if unknown < 0.0 && next > 0.0 { self.rupture_ratio[k] * next } else { next }
     }
 

@@ -5,7 +5,7 @@ use crate::sim::history::simulation::MixedLubricationSim;
 
 /// A solved cycle of a history and the bodies at its end, in SI units; numbers of a line contact are per metre.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct CycleRecord {
     /// Cycles of the history up to the end of this one.

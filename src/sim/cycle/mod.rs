@@ -5,6 +5,7 @@
 //! symmetric. Quasi-static cycles solve each row as a steady contact, or, where the roughness moves, as a passage of the
 //! surfaces (`passages`).
 
+mod cells;
 mod cycle_record;
 mod drive;
 mod end;
@@ -92,10 +93,16 @@ impl SimBuilder {
     ) -> Result<CycleSolution, SimError> {
         let table = CycleTable::new(&self.scene)?;
         let is_flooded = self.scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::Flooded);
+        let estimate = self.scene.solver.estimate.then(no_estimate);
         self.scene = cycle_scene(self.scene, &table)?;
-        require_rows(&self.scene, &self.scene.grid()?, &table)?;
+        let grid = self.scene.grid()?;
+        require_rows(&self.scene, &grid, &table)?;
+        let coarse = cells::few_in_narrowest(&self.scene, &grid, &table)?;
+        let of_scene = estimate.into_iter().chain(coarse);
         if !self.scene.motion.roughness.is_at_rest() {
-            return passages::solve(self, &table, observer);
+            let mut solution = passages::solve(self, &table, observer)?;
+            solution.warnings.extend(of_scene);
+            return Ok(solution);
         }
         self.motion = Some(std::sync::Arc::new(Fixed));
         self.squeeze = !table.quasi_static;
@@ -103,9 +110,20 @@ impl SimBuilder {
         let sim = self.build()?;
         let cut = if is_flooded { sim.contact.cut_inlet(&sim.scene)? } else { None };
         let mut solution = drive::Drive::new(sim, table).run(observer)?;
-        solution.warnings.extend(cut.into_iter().chain(skipped));
+        solution.warnings.extend(cut.into_iter().chain(skipped).chain(of_scene));
         Ok(solution)
     }
+}
+
+/// The warning that the errors of the mesh are those of a single contact.
+fn no_estimate() -> Warning {
+    Warning::new(
+        "solver.estimate",
+        f64::NAN,
+        "errors of the mesh are estimated for single contacts, not over a cycle".to_owned(),
+        "`stribeck solve` estimates them for the contact of the scene; for the cycle compare two meshes"
+            .to_owned(),
+    )
 }
 
 /// `scene` at the row of the largest entrainment speed, as all rows need it.
@@ -124,6 +142,7 @@ fn cycle_scene(mut scene: Scene, table: &CycleTable) -> Result<Scene, SimError> 
         scene.thermal.flash = Flash::On;
     }
     (scene.schedule, scene.cycle) = (Default::default(), None);
+    scene.solver.estimate = false;
     if table.history.is_none() {
         (scene.wear, scene.track) = (None, Default::default());
     }
@@ -178,8 +197,8 @@ fn require_cycle(scene: &Scene, table: &CycleTable) -> Result<(), InputError> {
             "surfaces in motion (motion.roughness = \"moving\") neither wear nor grow tribofilms; leave cycle.repeat out",
         ),
         (
-            scene.solver.accuracy.is_some() || scene.solver.estimate,
-            "errors of the mesh (solver.estimate, solver.accuracy) are not estimated; compare two meshes",
+            scene.solver.accuracy.is_some(),
+            "solver.accuracy chooses the mesh of a single contact; leave it out and compare two meshes",
         ),
         (
             !scene.solver.model.is_resolved() && !table.quasi_static,

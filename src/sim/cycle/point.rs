@@ -8,7 +8,7 @@ use crate::sim::scene::cycle_table::CycleRow;
 
 /// Results at one time of a cycle, in SI units; those of a line contact are per metre.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct CyclePoint {
     /// Time \[s\].

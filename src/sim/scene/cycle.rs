@@ -30,7 +30,8 @@ use crate::sim::scene::cycle_source::CycleSource;
 )]
 #[non_exhaustive]
 pub struct CycleSpec {
-    /// A file of comma-separated values in place of the lists: a line of names with units, `angle (deg)`, then the rows.
+    /// A text file in place of the lists: a line of names with units, `angle (deg)`, then the rows; commas, semicolons, tabs or
+    /// blanks separate the cells.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub table: Option<PathBuf>,
     /// Times of the rows \[s\].
@@ -100,7 +101,7 @@ impl CycleSpec {
             InputError::require_positive("cycle.period", period)?;
         }
         let (key, times) = match (self.time.as_slice(), self.angle.as_slice(), self.period) {
-            ([], [], _) => return conflict("cycle.time", "is missing; give times or angles of the rows"),
+            ([], [], _) => return Err(source.without_rows()),
             ([], angles, Some(period)) => {
                 ("angle", angles.iter().map(|angle| angle / TAU * period).collect())
             }
@@ -111,12 +112,7 @@ impl CycleSpec {
             _ => return conflict("cycle.time", "give times or angles, not both"),
         };
         let given: &[f64] = if key == "time" { &self.time } else { &self.angle };
-        InputError::require(
-            given.len() >= 2,
-            &format!("cycle.{key}"),
-            given.len() as f64,
-            "a list of at least 2",
-        )?;
+        source.require_rows(key, given.len())?;
         for (row, value) in given.iter().enumerate() {
             source.require(value.is_finite(), (key, row), *value, "finite")?;
         }

@@ -1,4 +1,4 @@
-//! A cycle from a file of comma-separated values: a line of names with units, then the rows.
+//! A cycle from a table in a text file: a line of names with units, then the rows.
 
 use std::path::Path;
 
@@ -6,6 +6,7 @@ use crate::error::{InputError, escape};
 use crate::sim::scene::CycleSpec;
 use crate::sim::scene::cycle_source::{CycleLines, CycleSource};
 use crate::text_file;
+use crate::text_table;
 use crate::units::Dimension;
 
 impl CycleSpec {
@@ -17,27 +18,29 @@ impl CycleSpec {
             return Err(file.error("the table replaces the lists; give one of the two"));
         }
         let text = text_file::read(path).map_err(|error| file.error(&error.to_string()))?;
-        let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
-        let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim().starts_with('#'));
-        let Some((number, names)) = lines.next() else { return Err(file.error("is empty")) };
-        let headings = headings(names, is_line)
-            .map_err(|reason| file.error(&format!("line {}: {reason}", number + 1)))?;
+        let mut rows = text_table::rows(&text);
+        let Some(names) = rows.next() else { return Err(file.error("is empty")) };
+        let headings = headings(&names.cells, is_line)
+            .map_err(|reason| file.error(&format!("line {}: {reason}", names.line)))?;
         file.columns = headings.iter().map(|heading| (heading.key, heading.text.to_owned())).collect();
         let mut spec = Self { table: None, ..self.clone() };
-        for (number, line) in lines {
-            let cells: Vec<&str> = line.split(',').map(str::trim).collect();
-            let number = number + 1;
+        for text_table::Row { line, text, cells } in rows {
             if cells.len() != headings.len() {
-                let (found, expected) = (cells.len(), headings.len());
-                return Err(file
-                    .error(&format!("line {number} has {found} values, the line of names has {expected}")));
+                let names: Vec<_> = headings.iter().map(|heading| heading.text).collect();
+                return Err(file.error(&format!(
+                    "line {line} has {} values, expected {} ({}): `{}`",
+                    cells.len(),
+                    names.len(),
+                    names.join(", "),
+                    escape(text)
+                )));
             }
-            for (heading, cell) in headings.iter().zip(cells) {
+            for (heading, cell) in headings.iter().zip(&cells) {
                 let value =
-                    heading.value(cell).map_err(|reason| file.error(&format!("line {number}, {reason}")))?;
+                    heading.value(cell).map_err(|reason| file.error(&format!("line {line}, {reason}")))?;
                 spec.column(heading.name).push(value);
             }
-            file.lines.push((number, line.to_owned()));
+            file.lines.push((line, cells.into_iter().map(str::to_owned).collect()));
         }
         Ok((spec, CycleSource::File(file)))
     }
@@ -80,15 +83,8 @@ const COLUMNS: [(&str, Column, Dimension); 7] = [
 ];
 
 /// The columns of the line of `names`.
-fn headings(names: &str, is_line: bool) -> Result<Vec<Heading<'_>>, String> {
-    let other = [';', '\t'].into_iter().find(|separator| names.contains(*separator));
-    if let Some(separator) = other.filter(|_| !names.contains(',')) {
-        let found = escape(&separator.to_string());
-        return Err(format!(
-            "columns are separated by commas, not by `{found}`; numbers have a decimal point"
-        ));
-    }
-    let headings = names.split(',').map(|name| Heading::of(name, is_line)).collect::<Result<Vec<_>, _>>()?;
+fn headings<'a>(names: &[&'a str], is_line: bool) -> Result<Vec<Heading<'a>>, String> {
+    let headings = names.iter().map(|name| Heading::of(name, is_line)).collect::<Result<Vec<_>, _>>()?;
     let is_repeated =
         |(index, heading): &(usize, &Heading<'_>)| headings[..*index].iter().any(|h| h.key == heading.key);
     match headings.iter().enumerate().find(is_repeated) {
@@ -111,13 +107,16 @@ struct Heading<'a> {
 impl<'a> Heading<'a> {
     /// That of the cell `text`, `angle (deg)` or `angle`.
     fn of(text: &'a str, is_line: bool) -> Result<Self, String> {
-        let text = text.trim().trim_matches('"');
         let (name, unit) =
             text.split_once('(').map_or((text, ""), |(name, unit)| (name, unit.trim_end_matches(')')));
         let known = COLUMNS.iter().find(|(key, ..)| *key == name.trim());
         let Some((key, name, dimension)) = known else {
             let names: Vec<_> = COLUMNS.iter().map(|(key, ..)| *key).collect();
-            return Err(format!("unknown column `{}`, the columns are {}", escape(text), names.join(", ")));
+            return Err(format!(
+                "unknown column `{}`; the first line has the names of the columns, with units in parentheses as in `angle (deg)`, of {}",
+                escape(text),
+                names.join(", ")
+            ));
         };
         let dimension =
             if is_line && *dimension == Dimension::Force { Dimension::ForcePerLength } else { *dimension };
@@ -128,12 +127,21 @@ impl<'a> Heading<'a> {
     fn value(&self, cell: &str) -> Result<f64, String> {
         let text = escape(self.text);
         if cell.is_empty() {
-            return Err(format!("column {text} is empty"));
+            return Err(format!("column {text} is empty; give each row a value"));
         }
         if self.unit.is_empty() {
-            return cell.parse().map_err(|_| format!("column {text}: `{}` is not a number", escape(cell)));
+            return cell.parse().map_err(|_| not_a_number(&text, cell));
+        }
+        if cell.contains(',') {
+            return Err(not_a_number(&text, cell));
         }
         let parsed = self.dimension.parse(&text, &format!("{cell} {}", self.unit));
         parsed.map_err(|error| error.to_string())
     }
+}
+
+/// The message for the `cell` of the column `name` that is not a number.
+fn not_a_number(name: &str, cell: &str) -> String {
+    let remedy = if cell.contains(',') { "; numbers have a decimal point" } else { "" };
+    format!("column {name}: `{}` is not a number{remedy}", escape(cell))
 }

@@ -13,14 +13,14 @@ pub(in crate::sim) enum CycleSource {
     File(CycleLines),
 }
 
-/// A file of comma-separated values.
+/// A table in a text file.
 #[derive(Debug, Clone)]
 pub(in crate::sim) struct CycleLines {
     pub(super) path: PathBuf,
     /// Key and heading of each column, `load` and `load (kN/m)`.
     pub(super) columns: Vec<(&'static str, String)>,
-    /// Number of each line of values, counted from 1, and its text.
-    pub(super) lines: Vec<(usize, String)>,
+    /// Number of each line of values, counted from 1, and its cells.
+    pub(super) lines: Vec<(usize, Vec<String>)>,
 }
 
 impl CycleSource {
@@ -48,6 +48,31 @@ impl CycleSource {
         }
     }
 
+    /// The error of a cycle without times and angles.
+    pub(super) fn without_rows(&self) -> InputError {
+        match self {
+            Self::File(file) if file.columns.iter().any(|(key, _)| ["time", "angle"].contains(key)) => {
+                file.error("has no rows below the line of names")
+            }
+            Self::File(file) => file.error("has neither a column time nor angle"),
+            Self::Lists => InputError::Conflict {
+                field: "cycle.time".to_owned(),
+                reason: "is missing; give times or angles of the rows".to_owned(),
+            },
+        }
+    }
+
+    /// Error for a cycle with a single value of `key`.
+    pub(super) fn require_rows(&self, key: &str, rows: usize) -> Result<(), InputError> {
+        match self {
+            _ if rows >= 2 => Ok(()),
+            Self::File(file) => Err(file.error("has a single row; a cycle needs at least 2")),
+            Self::Lists => {
+                InputError::require(false, &format!("cycle.{key}"), rows as f64, "a list of at least 2")
+            }
+        }
+    }
+
     /// The place of `row`, counted from 0: `row 3 of [cycle]` of lists, `flank.csv, line 4` of a file.
     pub(in crate::sim) fn row(&self, row: usize) -> String {
         let line = match self {
@@ -64,9 +89,12 @@ impl CycleLines {
     /// Line, heading and text of the value of `key` in `row`.
     fn written(&self, key: &str, row: usize) -> Option<String> {
         let column = self.columns.iter().position(|(known, _)| *known == key)?;
-        let (line, text) = self.lines.get(row)?;
-        let cell = text.split(',').nth(column)?;
-        Some(format!("line {line}, {} = {}", escape(&self.columns.get(column)?.1), escape(cell.trim())))
+        let (line, cells) = self.lines.get(row)?;
+        Some(format!(
+            "line {line}, {} = {}",
+            escape(&self.columns.get(column)?.1),
+            escape(cells.get(column)?)
+        ))
     }
 
     /// The error of the file for `reason`.

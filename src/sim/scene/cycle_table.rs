@@ -152,7 +152,8 @@ impl CycleTable {
         }
         let end = first.time + period.unwrap_or(last.time - first.time);
         let field = "cycle.period";
-        let requirement = "at least the time between the first and the last row";
+        let requirement =
+            "at least the time between the first and the last row; leave it out to take this time";
         let rounding = CLOSED * (last.time - first.time);
         InputError::require(end >= last.time - rounding, field, end - first.time, requirement)?;
         if end > last.time + rounding {
@@ -204,10 +205,14 @@ fn check_column(key: &str, values: &[f64], rows: usize, source: &CycleSource) ->
     if !values.is_empty() {
         InputError::require_len(&format!("cycle.{key}"), values, rows)?;
     }
-    let is_speed = key.ends_with("speed");
+    let (is_speed, requirement) = match key {
+        "load" => (false, "finite and > 0; leave rows without load out"),
+        "radius" => (false, "finite and > 0, the reduced radius of both bodies"),
+        "bulk_temperature" => (false, "finite and above 0 K"),
+        _ => (true, "finite"),
+    };
     for (row, value) in values.iter().enumerate() {
         let fits = value.is_finite() && (is_speed || *value > 0.0);
-        let requirement = if is_speed { "finite" } else { "finite and > 0" };
         source.require(fits, (key, row), *value, requirement)?;
     }
     Ok(())

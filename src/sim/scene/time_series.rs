@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::error::InputError;
 use crate::sim::scene::Schedule;
 use crate::text_file;
+use crate::text_table;
 
 /// Relative tolerance of entry times: sums of time steps are rounded.
 const ROUNDING: f64 = 1e-9;
@@ -105,19 +106,17 @@ impl TimeSeries {
     }
 }
 
-/// Times and values of the file of comma-separated values at `path`, named by the key `field`.
+/// Times and values of the table in the file at `path`, named by the key `field`.
 pub(in crate::sim) fn read_table(path: &Path, field: &str) -> Result<(Vec<f64>, Vec<f64>), InputError> {
     let unusable = |reason: String| InputError::Conflict {
         field: format!("{field}.path"),
         reason: format!("{}: {reason}", path.display()),
     };
     let text = text_file::read(path).map_err(|error| unusable(error.to_string()))?;
-    let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
-    let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim().starts_with('#'));
     let (mut times, mut values) = (Vec::new(), Vec::new());
     let mut first = true;
-    lines.try_for_each(|(number, line)| {
-        let cells: Vec<Option<f64>> = line.split(',').map(|cell| cell.trim().parse().ok()).collect();
+    text_table::rows(&text).try_for_each(|row| {
+        let cells: Vec<Option<f64>> = row.cells.iter().map(|cell| cell.parse().ok()).collect();
         match *cells.as_slice() {
             [Some(time), Some(value)] => {
                 times.push(time);
@@ -125,7 +124,9 @@ pub(in crate::sim) fn read_table(path: &Path, field: &str) -> Result<(Vec<f64>, 
             }
             // A header line.
             [None, None] if first => {}
-            _ => return Err(unusable(format!("line {} is not a time and a value: `{line}`", number + 1))),
+            _ => {
+                return Err(unusable(format!("line {} is not a time and a value: `{}`", row.line, row.text)));
+            }
         }
         first = false;
         Ok(())

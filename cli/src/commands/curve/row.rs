@@ -5,6 +5,7 @@ use stribeck::sim::ContactSolution;
 use stribeck::sim::scene::SolverModel;
 
 use super::axis::Axis;
+use crate::sample::{Sample, mean};
 
 /// A number of a solution as a column of the curve.
 pub(super) struct Quantity {
@@ -80,8 +81,7 @@ impl Columns {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Value {
     pub(super) mean: f64,
-    /// Sample standard deviation over the surfaces. It estimates the spread of single surfaces for any number
-    /// of them, while the range from minimum to maximum widens with each further surface.
+    /// Sample standard deviation over the surfaces.
     sd: Option<f64>,
     /// Mean of the estimated errors.
     error: Option<f64>,
@@ -122,9 +122,7 @@ impl Row {
         let mean_of = |get: fn(&ContactSolution) -> Option<f64>| mean(&all(get)?);
         let values = QUANTITIES.map(|quantity| {
             let values = all(quantity.value)?;
-            let mean = mean(&values)?;
-            let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-            let sd = (values.len() > 1).then(|| (squares / (values.len() - 1) as f64).sqrt());
+            let Sample { mean, deviation: sd } = Sample::of(&values)?;
             let error = mean_of(quantity.error);
             Some(Value { mean, sd, error })
         });
@@ -229,9 +227,4 @@ pub(super) fn table_header(columns: Columns) -> String {
 fn cell(columns: Columns, text: &str) -> String {
     let width = if columns.errors || columns.spread { 20 } else { 15 };
     format!("{text:>width$}")
-}
-
-/// The mean of `values`; none without any.
-fn mean(values: &[f64]) -> Option<f64> {
-    (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }

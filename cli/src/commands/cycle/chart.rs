@@ -1,8 +1,9 @@
 //! The picture of a cycle.
 
-use stribeck::sim::{CyclePoint, CycleSolution};
+use stribeck::sim::CyclePoint;
 
 use super::Kind;
+use super::solved::Solved;
 use crate::picture::{BLUE, Chart, GREEN, Line, Panel, Scale, VERMILION};
 
 /// The unit of the pressures of a cycle and its size \[Pa\]: GPa, or MPa where all are below 0.1 GPa.
@@ -12,7 +13,7 @@ pub(super) fn pressure_unit(points: &[CyclePoint]) -> (&'static str, f64) {
 }
 
 /// Films, pressure, friction, power and flash temperature over angle or time.
-pub(super) fn chart(name: &str, solution: &CycleSolution, kind: Kind) -> Chart {
+pub(super) fn chart(name: &str, solution: &Solved, kind: Kind) -> Chart {
     let points = &solution.points;
     let (unit, pascals) = pressure_unit(points);
     let has_angles = points.iter().any(|point| point.angle.is_some());

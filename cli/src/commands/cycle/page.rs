@@ -5,9 +5,9 @@ use std::path::Path;
 
 use serde_json::Value;
 use stribeck::Status;
-use stribeck::sim::CycleSolution;
 
 use super::chart::{chart, pressure_unit};
+use super::solved::Solved;
 use super::{Kind, LINES, Options};
 use crate::output;
 use crate::report::{self, ErrorOf, Number, Report};
@@ -31,14 +31,14 @@ const COLUMNS: [(&str, &str, &str, f64); 12] = [
 /// Writes the report of `solution` to the file `path`.
 pub(super) fn write(
     options: &Options,
-    (solution, squeeze): (&CycleSolution, Option<String>),
+    (solution, squeeze): (&Solved, Option<String>),
     (numbers, kind): (&Value, Kind),
     path: &Path,
 ) -> Result<(), Box<dyn Error>> {
     let mut report = Report::new(&options.scene, "cycle", Status::Converged)?;
     report.warn(solution.warnings.iter().map(ToString::to_string).chain(squeeze));
     if let Some(reason) = &solution.ended_early {
-        report.end_early(&reason.to_string());
+        report.end_early(reason);
     }
     let pressure = pressure_unit(&solution.points);
     let columns = COLUMNS.map(|(name, key, unit, factor)| {

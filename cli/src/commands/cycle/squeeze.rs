@@ -1,18 +1,20 @@
 //! The size of the squeeze terms of a cycle.
 
-use stribeck::sim::{CyclePoint, CycleSolution};
+use stribeck::sim::CyclePoint;
+
+use super::solved::Solved;
 
 /// Squeeze term from which on a quasi-static cycle is warned of.
 const LARGE_SQUEEZE: f64 = 0.1;
 
 /// The contact with the largest squeeze term.
-pub(super) fn largest_squeeze(solution: &CycleSolution) -> Option<&CyclePoint> {
+pub(super) fn largest_squeeze(solution: &Solved) -> Option<&CyclePoint> {
     let known = solution.points.iter().filter(|point| point.squeeze_ratio.is_some());
     known.max_by(|a, b| a.squeeze_ratio.unwrap_or(0.0).total_cmp(&b.squeeze_ratio.unwrap_or(0.0)))
 }
 
 /// The warning of a quasi-static cycle whose films change within the passage of a half-width, or that has rows at rest.
-pub(super) fn squeeze_warning(solution: &CycleSolution) -> Option<String> {
+pub(super) fn squeeze_warning(solution: &Solved) -> Option<String> {
     if !solution.quasi_static {
         return None;
     }

@@ -1,5 +1,6 @@
 //! Keys of the scene and the values that they take.
 
+use serde_json::json;
 use stribeck::sim::Scene;
 use toml::{Table, Value};
 
@@ -23,7 +24,7 @@ enum Values {
 
 /// A point: its inputs by key, in SI units, and its scene.
 pub(super) struct Input {
-    pub(super) values: Vec<(String, Value)>,
+    pub(super) values: Vec<(String, serde_json::Value)>,
     pub(super) scene: Scene,
 }
 
@@ -51,28 +52,31 @@ impl Axis {
         Ok(Self { key: key.trim().to_owned(), values })
     }
 
+    /// Whether the key is the seed of a random surface.
+    pub(super) fn is_seed(&self) -> bool {
+        is_seed(&self.key)
+    }
+
     /// The values for the scene of `tables`: numbers of a range are evenly spread over their logarithms, evenly
-    /// where an end is not positive.
+    /// where an end is not positive and for seeds. Those of a whole number are rounded.
     fn resolved(&self, tables: &Table) -> Result<Vec<Value>, String> {
         match &self.values {
             Values::List(values) => Ok(values.iter().map(|value| plain(value)).collect()),
             Values::Range(from, to, count) => {
-                let end = |text: &str| {
+                let end = |text: &str| -> Result<Value, String> {
                     let number = si_value(&with(tables, &self.key, plain(text))?, &self.key);
-                    number.and_then(|value| number_of(&value)).ok_or_else(|| {
-                        format!("--over {}: {text} is not a number; a range needs numbers", self.key)
-                    })
+                    number.filter(|value| number_of(value).is_some() || whole(value).is_some()).ok_or_else(
+                        || format!("--over {}: {text} is not a number; a range needs numbers", self.key),
+                    )
                 };
                 let (from, to) = (end(from)?, end(to)?);
-                let last = (*count - 1) as f64;
-                let by_ratio = from > 0.0 && to > 0.0;
-                let at = |k: usize| match k {
-                    0 => from,
-                    k if k + 1 == *count => to,
-                    k if by_ratio => from * (to / from).powf(k as f64 / last),
-                    k => from + (to - from) * (k as f64 / last),
-                };
-                Ok((0..*count).map(|k| Value::Float(at(k))).collect())
+                Ok(match (whole(&from), whole(&to)) {
+                    (Some(from), Some(to)) if self.is_seed() => even_seeds(from, to, *count),
+                    (Some(_), Some(_)) => {
+                        spread(&from, &to, *count).map(|value| Value::Integer(value.round() as i64)).collect()
+                    }
+                    _ => spread(&from, &to, *count).map(Value::Float).collect(),
+                })
             }
         }
     }
@@ -110,7 +114,9 @@ pub(super) fn points(scene: &Scene, axes: &[Axis], zip: bool) -> Result<Vec<Inpu
             let full = self::tables(&scene)?;
             let input = |axis: &Axis| {
                 let value = si_value(&full, &axis.key).unwrap_or_else(|| Value::String(String::new()));
-                (axis.key.clone(), value)
+                // a seed above the integers of TOML is a text there
+                let seed = whole(&value).filter(|_| axis.is_seed()).and_then(|seed| u64::try_from(seed).ok());
+                (axis.key.clone(), seed.map_or_else(|| json!(value), |seed| json!(seed)))
             };
             Ok(Input { values: axes.iter().map(input).collect(), scene })
         })
@@ -163,12 +169,48 @@ fn si_value(tables: &Table, key: &str) -> Option<Value> {
     }
 }
 
+/// Whether the key of this path is the seed of a random surface.
+fn is_seed(key: &str) -> bool {
+    key.rsplit('.').next() == Some("seed")
+}
+
+/// `count` numbers between two values, evenly over their logarithms or, where one is not positive, evenly.
+fn spread(from: &Value, to: &Value, count: usize) -> impl Iterator<Item = f64> {
+    let (from, to) = (number_of(from).unwrap_or(f64::NAN), number_of(to).unwrap_or(f64::NAN));
+    let last = (count - 1) as f64;
+    let by_ratio = from > 0.0 && to > 0.0;
+    (0..count).map(move |k| match k {
+        0 => from,
+        k if k + 1 == count => to,
+        k if by_ratio => from * (to / from).powf(k as f64 / last),
+        k => from + (to - from) * (k as f64 / last),
+    })
+}
+
+/// `count` seeds evenly between two, rounded down.
+fn even_seeds(from: i128, to: i128, count: usize) -> Vec<Value> {
+    let last = count as i128 - 1;
+    (0..=last).map(|k| plain(&(from + (to - from) * k / last).to_string())).collect()
+}
+
+/// A whole number; a seed above the integers of TOML is a text.
+fn whole(value: &Value) -> Option<i128> {
+    match value {
+        Value::Integer(whole) => Some(i128::from(*whole)),
+        Value::String(text) => text.parse().ok(),
+        _ => None,
+    }
+}
+
 fn number_of(value: &Value) -> Option<f64> {
     value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
 }
 
-/// A number, a truth value or a text, perhaps a number with a unit.
+/// A number, a truth value or a text, perhaps a number with a unit. Whole numbers above the integers of TOML stay texts.
 fn plain(text: &str) -> Value {
+    if text.parse::<u64>().is_ok_and(|whole| i64::try_from(whole).is_err()) {
+        return Value::String(text.to_owned());
+    }
     match (text.parse::<i64>(), text.parse::<f64>(), text.parse::<bool>()) {
         (Ok(whole), _, _) => Value::Integer(whole),
         (_, Ok(number), _) => Value::Float(number),

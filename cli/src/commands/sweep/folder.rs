@@ -75,7 +75,7 @@ impl Folder {
         head.extend(["status".to_owned(), "error".to_owned()]);
         let mut text = head.into_iter().chain(names.iter().cloned()).collect::<Vec<_>>().join(",") + "\n";
         for ((k, result), row) in done.iter().zip(&rows) {
-            let given = inputs[*k].values.iter().map(|(_, value)| quoted(&json!(value)));
+            let given = inputs[*k].values.iter().map(|(_, value)| quoted(value));
             let ends = ["status", "error"].map(|part| quoted(&result[part]));
             let values = names.iter().map(|name| {
                 row.iter()
@@ -92,13 +92,18 @@ impl Folder {
 
 /// The numbers by their names with dots, without lists.
 fn numbers(values: &Value) -> Vec<(String, String)> {
+    let fields = leaves(values).into_iter().filter(|(name, _)| name != "status");
+    fields.map(|(name, value)| (name, quoted(value))).collect()
+}
+
+/// The values by their names with dots, without lists.
+pub(super) fn leaves(values: &Value) -> Vec<(String, &Value)> {
     let mut found = Vec::new();
     collect(values, "", &mut found);
-    found.retain(|(name, _)| name != "status");
     found
 }
 
-fn collect(values: &Value, prefix: &str, found: &mut Vec<(String, String)>) {
+fn collect<'a>(values: &'a Value, prefix: &str, found: &mut Vec<(String, &'a Value)>) {
     match values {
         Value::Object(parts) => {
             for (key, value) in parts {
@@ -107,7 +112,7 @@ fn collect(values: &Value, prefix: &str, found: &mut Vec<(String, String)>) {
             }
         }
         Value::Array(_) => {}
-        value => found.push((prefix.to_owned(), quoted(value))),
+        value => found.push((prefix.to_owned(), value)),
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod axes;
 mod folder;
+mod seeds;
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -62,12 +63,15 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     solve(options, &folder, &inputs, &todo)?;
     let done: Vec<(usize, Value)> = (0..inputs.len()).filter_map(|k| Some((k, folder.kept(k)?))).collect();
     let table = folder.write_table(&inputs, &done)?;
+    let surfaces = seeds::groups(&options.over, &inputs, &done);
     if options.json {
         let points: Vec<Value> = done.iter().map(|(k, result)| with_inputs(&inputs[*k], result)).collect();
-        output::print(&json!({ "points": points, "version": env!("CARGO_PKG_VERSION") }))?;
+        let surfaces: Vec<Value> = surfaces.iter().map(seeds::Group::to_json).collect();
+        output::print(&json!({ "points": points, "seeds": surfaces, "version": env!("CARGO_PKG_VERSION") }))?;
     } else {
         let failed = done.iter().filter(|(_, result)| result["status"] != "converged").count();
         output::print(&format!("points     {} of {} done, {failed} failed", done.len(), inputs.len()))?;
+        seeds::table(&surfaces).iter().try_for_each(|line| output::print(line))?;
     }
     output::report_files(&[table], options.json)?;
     let mut mine = done.iter().filter(|(k, _)| k % step == first);
@@ -128,8 +132,7 @@ fn refused(error: &dyn Error) -> Value {
 
 /// The result with the inputs of its point.
 fn with_inputs(input: &Input, result: &Value) -> Value {
-    let inputs: serde_json::Map<String, Value> =
-        input.values.iter().map(|(key, value)| (key.clone(), json!(value))).collect();
+    let inputs: serde_json::Map<String, Value> = input.values.iter().cloned().collect();
     let mut object = json!({ "inputs": inputs });
     for part in ["status", "error", "values"] {
         object[part] = result[part].clone();

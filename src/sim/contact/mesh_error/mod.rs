@@ -13,6 +13,8 @@ use crate::sim::scene::Scene;
 pub(in crate::sim) use change::{BOX_MINIMUM, Mesh, estimate};
 pub(in crate::sim) use surfaces::Surfaces;
 
+/// Fewest cells per Hertz half-width of the first mesh for a requested accuracy, and of a cycle without a warning.
+pub(in crate::sim) const CELLS_IN_HALF_WIDTH: f64 = 10.0;
 /// Fewest cells along a side that can be halved.
 const FEWEST: usize = 10;
 

@@ -14,7 +14,7 @@ use crate::error::InputError;
 use crate::report::Status;
 use crate::sim::contact::error_estimate::ErrorEstimate;
 use crate::sim::contact::interrupt::Interrupt;
-use crate::sim::contact::mesh_error::{self, Surfaces, require_half};
+use crate::sim::contact::mesh_error::{self, CELLS_IN_HALF_WIDTH, Surfaces, require_half};
 use crate::sim::contact::numbers::FrictionNumbers;
 use crate::sim::contact::setup;
 use crate::sim::contact::solution::ContactSolution;
@@ -30,8 +30,6 @@ pub(super) const MAX_NODES: usize = 1 << 20;
 /// self-affine surface. With a Gaussian autocorrelation the spectral density of waves shorter than two such
 /// cells is below 1e-4 of its maximum.
 const CELLS_IN_LENGTH: f64 = 3.0;
-/// Fewest cells per Hertz half-width on the first mesh.
-const CELLS_IN_AXIS: f64 = 10.0;
 /// Outside the Hertz circle the gap is `1.2 e^1.5 a^2/R` at the distance `e a`. Asperities touch across gaps
 /// up to five times Rq.
 const GAP_BEYOND: f64 = 1.2;
@@ -174,7 +172,7 @@ pub(super) fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, S
     let side = plan.side.max(reach) * half_y;
     let y = [-side, side];
     let cells = |[low, high]: [f64; 2], length: f64, axis: f64| {
-        ((high - low) / (length / CELLS_IN_LENGTH).min(axis / CELLS_IN_AXIS)).ceil()
+        ((high - low) / (length / CELLS_IN_LENGTH).min(axis / CELLS_IN_HALF_WIDTH)).ceil()
     };
     let line = scene.form.is_line();
     let (nx, ny) = (cells(x, along_x, half_x), if line { 1.0 } else { cells(y, along_y, half_y) });

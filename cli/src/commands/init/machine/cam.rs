@@ -8,6 +8,7 @@ use std::error::Error;
 use std::f64::consts::TAU;
 use std::fs;
 
+use stribeck::text_table;
 use stribeck::units::Dimension;
 
 use super::{Machine, Options, length, number};
@@ -21,80 +22,121 @@ const EVEN: f64 = 1e-3;
 /// Largest lift over the radius of the base circle.
 const LARGEST_LIFT: f64 = 10.0;
 
-/// Angles \[deg\] and lifts \[m\] of the lines of `text`; an error in words.
-fn rows(text: &str) -> Result<[Vec<f64>; 2], String> {
-    let (mut angles, mut lifts) = (Vec::new(), Vec::new());
-    for (index, line) in text.lines().enumerate() {
-        let line = line.trim();
-        if line.is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let cells: Vec<&str> = if line.contains([',', ';']) {
-            line.split([',', ';']).map(str::trim).collect()
-        } else {
-            line.split_whitespace().collect()
-        };
+/// An angle and its lift.
+#[derive(Clone, Copy)]
+struct Entry {
+    /// Number of the line in the file, counted from 1.
+    line: usize,
+    /// Angle \[deg\].
+    angle: f64,
+    /// Lift \[m\].
+    lift: f64,
+}
+
+/// The lines of `text`; an error in words. Angles are in degrees and lifts in metres unless a line of names has other units in
+/// parentheses.
+fn entries(text: &str) -> Result<Vec<Entry>, String> {
+    let (mut entries, mut units) = (Vec::new(), [1.0; 2]);
+    for text_table::Row { line, text, cells, .. } in text_table::rows(text) {
         let values: Vec<Option<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
         match *values.as_slice() {
             [Some(angle), Some(lift)] if f64::is_finite(angle) && f64::is_finite(lift) => {
-                angles.push(angle);
-                lifts.push(lift);
+                entries.push(Entry { line, angle: units[0] * angle, lift: units[1] * lift });
             }
-            _ if angles.is_empty() && values.iter().all(Option::is_none) => {}
+            // a line of names
+            _ if entries.is_empty() && text.starts_with(|c: char| c.is_alphabetic() || c == '"') => {
+                units = units_of(&cells).map_err(|reason| format!("line {line}: {reason}"))?;
+            }
             _ => {
                 return Err(format!(
-                    "line {} is not an angle in degrees and a lift in metres, as in `12.5, 1e-3`: `{line}`",
-                    index + 1
+                    "line {line} is not an angle in degrees and a lift in metres, as in `12.5, 1e-3`: `{text}`"
                 ));
             }
         }
     }
-    Ok([angles, lifts])
+    Ok(entries)
 }
 
-/// Lifts \[m\] at even angles of a turn, and their first angle \[rad\].
-fn lifts(options: &Options) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
+/// Units of the angles \[deg\] and the lifts \[m\] in a line of `names`, `angle (deg)` and `lift (mm)`.
+fn units_of(names: &[&str]) -> Result<[f64; 2], String> {
+    let mut units = [1.0; 2];
+    let dimensions = [Dimension::Angle, Dimension::Length];
+    for ((unit, dimension), name) in units.iter_mut().zip(dimensions).zip(names) {
+        let Some((_, text)) = name.split_once('(') else { continue };
+        let size = dimension.parse(name, &format!("1 {}", text.trim_end_matches(')')));
+        *unit = size.map_err(|error| error.to_string())?;
+        if dimension == Dimension::Angle {
+            *unit = unit.to_degrees();
+        }
+    }
+    Ok(units)
+}
+
+/// Entries at even angles of a turn. The last one may repeat the first after a turn and is left out then.
+fn turn(options: &Options) -> Result<Vec<Entry>, Box<dyn Error>> {
     let path = options.cam.as_ref().ok_or("--cam is missing")?;
     let refused = |reason: String| -> Box<dyn Error> { format!("--cam {}: {reason}", path.display()).into() };
     let text = fs::read_to_string(path).map_err(|error| refused(files::io_words(&error)))?;
-    let [angles, mut lifts] = rows(&text).map_err(refused)?;
-    let count = angles.len();
+    let mut entries = entries(&text).map_err(refused)?;
+    let count = entries.len();
     if count < 16 {
         return Err(refused(format!("has {count} lines, a lift needs at least 16")));
     }
     // The median: a missing line or one twice is named, not the first.
-    let mut steps: Vec<f64> = angles.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mut steps: Vec<f64> = entries.windows(2).map(|pair| pair[1].angle - pair[0].angle).collect();
     steps.sort_by(f64::total_cmp);
     let step = steps[steps.len() / 2];
-    if let Some(row) = angles.windows(2).position(|pair| (pair[1] - pair[0] - step).abs() > EVEN * step.abs())
-    {
+    let is_uneven =
+        |[before, entry]: &&[Entry; 2]| (entry.angle - before.angle - step).abs() > EVEN * step.abs();
+    if let Some([before, entry]) = entries.array_windows().find(is_uneven) {
         return Err(refused(format!(
-            "angle {} follows {}: the angles must have even steps, as those of {step} degrees",
-            angles[row + 1],
-            angles[row]
+            "line {}: angle {} follows {}; the angles must have even steps, as those of {step} degrees",
+            entry.line, entry.angle, before.angle
         )));
     }
-    // The last line may repeat the first.
+    let (first, last) = (entries[0], entries[count - 1]);
+    if step <= 0.0 {
+        return Err(refused(format!(
+            "line {}: angle {} follows {}; the angles must rise",
+            entries[1].line, entries[1].angle, first.angle
+        )));
+    }
+    let highest = entries.iter().map(|entry| entry.lift).fold(0.0, f64::max);
+    if highest <= 0.0 {
+        return Err(refused(
+            "no lift is above 0; lifts are measured from the base circle outwards".to_owned(),
+        ));
+    }
     if (step * (count - 1) as f64 - 360.0).abs() < EVEN * step {
-        lifts.pop();
+        if (last.lift - first.lift).abs() > EVEN * highest {
+            return Err(refused(format!(
+                "line {}: after a turn the lift is {} m, that of line {} is {} m; both must be equal",
+                last.line, last.lift, first.line, first.lift
+            )));
+        }
+        entries.pop();
     } else if (step * count as f64 - 360.0).abs() > EVEN * step * count as f64 {
         return Err(refused(format!(
-            "the angles cover {:.3} degrees, not a turn of 360",
+            "the angles from {} (line {}) to {} (line {}) cover {:.3} degrees, not a turn of 360; angles are in degrees",
+            first.angle,
+            first.line,
+            last.angle,
+            last.line,
             step * count as f64
         )));
     }
-    Ok((lifts, angles[0].to_radians()))
+    Ok(entries)
 }
 
 /// The cam over a turn.
 pub(super) fn machine(options: &Options) -> Result<Machine, Box<dyn Error>> {
-    let (lift, first) = lifts(options)?;
+    let entries = turn(options)?;
+    let lift: Vec<f64> = entries.iter().map(|entry| entry.lift).collect();
     let base = length("--base-circle", &options.base_circle)?;
     let width = length("--face-width", &options.face_width)?;
-    let highest = lift.iter().copied().fold(0.0, f64::max);
-    if highest > LARGEST_LIFT * base {
+    if let Some(Entry { line, lift, .. }) = entries.iter().find(|entry| entry.lift > LARGEST_LIFT * base) {
         return Err(format!(
-            "--cam: the lift of {highest} m is more than {LARGEST_LIFT} times the base circle of {base} m; lifts are in metres"
+            "--cam: line {line}: the lift of {lift} m is more than {LARGEST_LIFT} times the base circle of {base} m; lifts are in metres"
         )
         .into());
     }
@@ -107,24 +149,26 @@ pub(super) fn machine(options: &Options) -> Result<Machine, Box<dyn Error>> {
     let second: Vec<f64> = (0..count)
         .map(|k| (lift[(k + 1) % count] - 2.0 * lift[k] + lift[(k + count - 1) % count]) / (step * step))
         .collect();
+    let first = entries[0].angle.to_radians();
     let angles: Vec<f64> = (0..count).map(|k| first + step * k as f64).collect();
     let radii: Vec<f64> = (0..count).map(|k| base + lift[k] + second[k]).collect();
     let loads: Vec<f64> =
         (0..count).map(|k| (preload + spring * lift[k] + mass * rate * rate * second[k]) / width).collect();
-    let degrees = |k: usize| angles[k].to_degrees();
+    let place = |k: usize| format!("{:.2} degrees (line {})", angles[k].to_degrees(), entries[k].line);
     if let Some(k) = radii.iter().position(|radius| *radius <= 0.0) {
         return Err(format!(
-            "--base-circle: at {:.2} degrees the radius of curvature of the cam is {:.4e} m, it must be above 0; a larger base circle",
-            degrees(k),
+            "--base-circle: at {} the radius of curvature of the cam is {:.4e} m, it must be above 0; a larger base circle, or a smoother \
+             lift",
+            place(k),
             radii[k]
         )
         .into());
     }
     if let Some(k) = loads.iter().position(|load| *load <= 0.0) {
         return Err(format!(
-            "--preload: at {:.2} degrees the force is {:.4e} N, the follower leaves the cam; more preload or spring rate, less mass or \
+            "--preload: at {} the force is {:.4e} N, the follower leaves the cam; more preload or spring rate, less mass or \
              rotation",
-            degrees(k),
+            place(k),
             loads[k] * width
         )
         .into());

@@ -120,10 +120,18 @@ impl Path {
             )
             .into());
         }
-        if ends[1] - ends[0] < pitch {
+        let ratio = (ends[1] - ends[0]) / pitch;
+        if ratio <= 0.0 {
             return Err(format!(
-                "--teeth {z1} {z2}: the contact ratio is {:.3}, it must be at least 1",
-                (ends[1] - ends[0]) / pitch
+                "--centre-distance = {centre} m: the teeth do not reach each other; {:.6} m is without profile shift",
+                reference
+            )
+            .into());
+        }
+        if ratio < 1.0 {
+            return Err(format!(
+                "--teeth {z1} {z2}: the contact ratio is {ratio:.3}, it must be at least 1; take more teeth, less --shift or a smaller \
+                 --centre-distance"
             )
             .into());
         }
