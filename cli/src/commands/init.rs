@@ -249,7 +249,7 @@ fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>>
     let touching = half_width * (1.0 + beyond + ROOM);
     let half_side = rounded((BOX * half_width.max(inlet / LONGEST_INLET)).max(touching));
     let cells = disc.cells(options.cells, 2.0 * half_side)?;
-    Disc::require_nodes(options.cells, [cells; 2])?;
+    disc.require_nodes(options.cells, [cells; 2])?;
     let cell = 2.0 * half_side / f64::from(cells);
     let more = ((inlet - half_side) / cell).ceil().max(0.0);
     let inlet = half_side + more * cell;

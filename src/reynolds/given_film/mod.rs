@@ -132,7 +132,7 @@ pub struct GivenFilm<'a> {
     /// Boundary condition at the edges across y.
     pub sides: SideEdges,
     /// Whether the film repeats along x with the length of the box, as around a ring: what leaves at one end enters at
-    /// the other. Needs a pressure at the sides or of a feed, and at least three rows and columns.
+    /// the other. Needs a pressure above that of cavitation at a side or in a feed, and at least three rows and columns.
     pub is_periodic: bool,
     /// Grooves and holes.
     pub feeds: &'a [Feed],
@@ -246,28 +246,32 @@ impl GivenFilm<'_> {
         0.5 * self.speeds[0] + 0.5 * self.speeds[1]
     }
 
-    /// Error for a periodic film without a prescribed pressure or with too few nodes.
+    /// Error for a periodic film with too few nodes, or that nothing feeds.
     fn validate_period(&self) -> Result<(), InputError> {
-        let grid = self.film.grid();
-        let has_level = self.sides == SideEdges::Ambient || !self.feeds.is_empty();
-        let has_nodes = grid.nx() >= LEAST_RING && grid.ny() >= LEAST_RING;
-        if !self.is_periodic || (has_level && has_nodes) {
+        if !self.is_periodic {
             return Ok(());
         }
-        Err(InputError::Conflict {
-            field: "is_periodic".to_owned(),
-            reason: if has_level {
-                format!(
-                    "a film that repeats along x needs at least 3 x 3 nodes, found {} x {}",
-                    grid.nx(),
-                    grid.ny()
-                )
-            } else {
-                "a film that repeats along x needs pressures at its sides or a feed: without them the level of its \
-                 pressure is arbitrary"
-                    .to_owned()
-            },
-        })
+        let (grid, conflict) = (self.film.grid(), |field: &str, reason: String| {
+            Err(InputError::Conflict { field: field.to_owned(), reason })
+        });
+        if grid.nx() < LEAST_RING || grid.ny() < LEAST_RING {
+            let found = format!("found {} x {}", grid.nx(), grid.ny());
+            return conflict(
+                "is_periodic",
+                format!("a film that repeats along x needs at least 3 x 3 nodes, {found}"),
+            );
+        }
+        let sides = if self.sides == SideEdges::Ambient { &self.edge_pressures[SOUTH..] } else { &[] };
+        let mut supplies = sides.iter().copied().chain(self.feeds.iter().map(|feed| feed.pressure));
+        if supplies.any(|pressure| pressure > self.cavitation_pressure) {
+            return Ok(());
+        }
+        conflict(
+            "cavitation_pressure",
+            "a film that repeats along x loses oil where its pressure is above that of its sides, and draws in none: it runs dry; a \
+             cavitation pressure below that of the sides, such as -1 bar, or a feed"
+                .to_owned(),
+        )
     }
 
     /// Checks speeds and pressures; the error names the first invalid field.

@@ -183,7 +183,7 @@ impl Disc {
     }
 
     /// Error for more nodes than [`MOST_NODES`] that the option `--cells` has not `asked` for.
-    pub(super) fn require_nodes(asked: Option<u32>, [nx, ny]: [u32; 2]) -> Result<(), String> {
+    pub(super) fn require_nodes(&self, asked: Option<u32>, [nx, ny]: [u32; 2]) -> Result<(), String> {
         if asked.is_some() || nx.saturating_mul(ny) <= MOST_NODES {
             return Ok(());
         }
@@ -193,8 +193,17 @@ impl Disc {
         } else {
             format!(", or --cells {longest} (at most {MOST_CELLS})")
         };
+        let longer = match self {
+            Self::Finish(finish) => {
+                format!(
+                    "--roughness with a --length above the {} um of this finish",
+                    plain(1e6 * rounded(finish.length()))
+                )
+            }
+            _ => "a longer --length".to_owned(),
+        };
         Err(format!(
-            "the box takes {nx} x {ny} cells of a quarter of the correlation length, more than {MOST_NODES} nodes; a longer --length, a smaller \
+            "the box takes {nx} x {ny} cells of a quarter of the correlation length, more than {MOST_NODES} nodes; {longer}, a smaller \
              load{by_option}"
         ))
     }

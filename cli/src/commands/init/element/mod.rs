@@ -9,11 +9,12 @@ mod rough;
 use std::error::Error;
 
 use stribeck::analytic::HertzPoint;
+use stribeck::sim::scene::NamedMaterial;
 use stribeck::sim::{MixedLubricationSim, RigidBearing, Scene};
 use stribeck::units::Dimension;
 
 use super::given::{self, OIL};
-use super::{Options as Init, STEEL, answers, oil, plain, rounded};
+use super::{Options as Init, answers, oil, plain, rounded};
 use crate::output::{self, Outcome};
 
 /// Half a side of the box of a dry contact, in half-widths: room for the scar to grow.
@@ -186,8 +187,8 @@ fn round_grid([radius, force]: [f64; 2], modulus: f64, is_dry: bool) -> Result<S
 
 /// Effective modulus of steel on steel \[Pa\].
 fn steel() -> f64 {
-    let (modulus, poisson) = STEEL;
-    modulus / (1.0 - poisson * poisson)
+    let steel = NamedMaterial::Steel;
+    steel.modulus() / (1.0 - steel.poisson().powi(2))
 }
 
 /// A journal bearing.

@@ -10,7 +10,7 @@ use stribeck::sim::scene::GridSpec;
 use super::super::answers::disc;
 use super::super::disc::{Disc, STRIP, STRIP_ROWS};
 use super::super::{GAP_BEYOND, HARDNESS, Options as Init, REACH, ROOM, plain, rounded};
-use super::{ESTIMATE, Element, given, steel, text};
+use super::{ESTIMATE, Element, given, text};
 
 /// Ends of the box of a line contact before and behind the middle, in half-widths.
 const ENDS: [f64; 2] = [3.5, 1.7];
@@ -47,7 +47,7 @@ pub(super) fn roughened(options: &Init, name: &str, element: Element) -> Result<
             |size: f64| options.cells.map(|cells| (f64::from(cells) * size / longest).ceil() as u32);
         let [nx, ny] = sizes.map(|size| disc.cells(cells_of(size), size));
         let [nx, ny] = [nx?, ny?];
-        if let Err(error) = Disc::require_nodes(options.cells, [nx, ny]) {
+        if let Err(error) = disc.require_nodes(options.cells, [nx, ny]) {
             return Err((error + &strip_instead(&scene, name)?).into());
         }
         let [inlet, outlet, side] = [inlet, outlet, side].map(length);
@@ -57,7 +57,7 @@ pub(super) fn roughened(options: &Init, name: &str, element: Element) -> Result<
     } else {
         let [inlet, outlet] = ENDS.map(|reach| rounded(reach * hertz.half_width_x));
         let cells = disc.cells(options.cells, inlet + outlet)?;
-        Disc::require_nodes(options.cells, [cells, STRIP_ROWS])?;
+        disc.require_nodes(options.cells, [cells, STRIP_ROWS])?;
         let [inlet, outlet] = [inlet, outlet].map(length);
         format!("{STRIP}nx = {cells}\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\n")
     };
@@ -72,12 +72,15 @@ fn strip_instead(scene: &Scene, name: &str) -> Result<String, InputError> {
     }
     let (radius, _) = scene.form.radii();
     // The pressure rises with the root of the load.
-    let load = (scene.hertz()?.pressure / HertzLine::from_load(radius, steel(), 1.0)?.pressure).powi(2);
+    let load = (scene.hertz()?.pressure
+        / HertzLine::from_load(radius, scene.equivalent_modulus()?, 1.0)?.pressure)
+        .powi(2);
     Ok(format!(
         "; a strip through the middle of the ellipse has its pressure: --roller in place of --bearing, with --radius \"{:.4} mm\" --load \"{:.4} \
-         kN/m\" --speed \"{:.4} m/s\"",
+         kN/m\" --speed \"{:.4} m/s\" --slide-roll-ratio {}",
         1e3 * radius,
         1e-3 * load,
-        scene.motion.entrainment_speed
+        scene.motion.entrainment_speed,
+        scene.motion.slide_roll_ratio
     ))
 }

@@ -140,7 +140,7 @@ fn grid(
         let [along, across] =
             [rounded(up) + rounded(down), 2.0 * rounded(up)].map(|size| disc.cells(options.cells, size));
         let [along, across] = [along?, if machine.is_line { STRIP_ROWS } else { across? }];
-        Disc::require_nodes(options.cells, [along, across])?;
+        disc.require_nodes(options.cells, [along, across])?;
         [along, across]
     } else {
         let usual = if machine.is_line { LINE_CELLS } else { POINT_CELLS };
