@@ -9,7 +9,6 @@ pub(crate) enum Periodicity {
     #[cfg_attr(not(test), expect(dead_code, reason = "no grid repeats along x yet"))]
     /// The node east of the last column is that of the first column in the same row.
     AlongX,
-    #[cfg_attr(not(test), expect(dead_code, reason = "no grid repeats along y yet"))]
     /// The node north of the last row is that of the first row in the same column.
     AlongY,
 }
