@@ -70,8 +70,9 @@ impl Grid {
         Ok(Self { nx, ny, dx, dy, x0: x[0] + 0.5 * dx, y0: y[0] + 0.5 * dy, is_periodic: false })
     }
 
-    /// Grid of a strip: a line contact, endless along y, whose surfaces repeat with the width of the box. Loads,
-    /// areas and flows of fields on it are those of one period, [`Grid::size_y`].
+    /// Grid of a strip: a line contact, endless along y, whose surfaces repeat with the width of the box. Deformation and
+    /// flow repeat with them: the last row is next to the first one. Loads, areas and flows of fields on it are those of
+    /// one period, [`Grid::size_y`].
     ///
     /// # Errors
     /// Those of [`Grid::from_edges`], and fewer than 5 rows.

@@ -164,18 +164,25 @@ fn faces_along(problem: &GivenFilm<'_>, film: &FilmThickness, entrained: f64, dr
     faces
 }
 
-/// Conductances of the faces along y; zero at closed sides.
+/// Conductances of the faces along y; zero at closed sides. On a strip the sides are one face, from the last row to the
+/// first one.
 fn conductances_across(problem: &GivenFilm<'_>, film: &FilmThickness, drag: f64) -> Vec<f64> {
     let grid = film.grid();
     let (nx, ny, aspect) = (grid.nx(), grid.ny(), grid.dx() / grid.dy());
     let node = |i: usize, j: usize| (grid.x(i), grid.y(j));
-    let is_closed = ny == 1 || problem.sides == SideEdges::Closed;
+    let is_strip = grid.is_strip();
+    let is_closed = ny == 1 || (problem.sides == SideEdges::Closed && !is_strip);
     let mut across = Vec::with_capacity(nx * (ny + 1));
     for (j, i) in (0..=ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
         let is_side = j == 0 || j == ny;
         let share = if is_side { 1.0 } else { free_share(problem.feeds, node(i, j - 1), node(i, j)) };
         let is_shut = is_closed && is_side;
-        across.push(if is_shut { 0.0 } else { aspect / (drag * share * problem.cubes_across(film, i, j)) });
+        let cubes = if is_side && is_strip {
+            problem.cubes_across(film, i, 0) + problem.cubes_across(film, i, ny)
+        } else {
+            problem.cubes_across(film, i, j)
+        };
+        across.push(if is_shut { 0.0 } else { aspect / (drag * share * cubes) });
     }
     across
 }
@@ -360,10 +367,20 @@ impl<'a> Balance<'a> {
 
     /// The flow along y through the face before node `(i, j)`, times `dx / dy` \[m\].
     pub(super) fn flow_across(&self, i: usize, j: usize) -> Flow {
-        let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
+        let grid = self.film.grid();
+        let (nx, ny, is_strip) = (grid.nx(), grid.ny(), grid.is_strip());
         let c = self.across[j * nx + i];
-        let first = j.checked_sub(1).map_or(self.sides[0], |j| self.fluids[j * nx + i]);
-        let second = if j < ny { self.fluids[j * nx + i] } else { self.sides[1] };
+        let at = |j: usize| self.fluids[j * nx + i];
+        let first = match j.checked_sub(1) {
+            Some(south) => at(south),
+            None if is_strip => at(ny - 1),
+            None => self.sides[0],
+        };
+        let second = match j {
+            _ if j < ny => at(j),
+            _ if is_strip => at(0),
+            _ => self.sides[1],
+        };
         Flow {
             value: c * (first.potential - second.potential),
             by_first: c * first.potential_s,
@@ -373,12 +390,13 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// Flows out through the edges west, east, south and north \[m\].
+    /// Flows out through the edges west, east, south and north \[m\]; a strip has no edges south and north.
     pub(super) fn edge_flows(&self) -> [f64; 4] {
         let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
         let along = |i: usize| (0..ny).map(|j| self.flow_along(i, j).value).sum::<f64>();
         let across = |j: usize| (0..nx).map(|i| self.flow_across(i, j).value).sum::<f64>();
-        [-along(0), along(nx), -across(0), across(ny)]
+        let sides = if self.film.grid().is_strip() { [0.0; 2] } else { [-across(0), across(ny)] };
+        [-along(0), along(nx), sides[0], sides[1]]
     }
 
     /// Net outflow of cell `(i, j)` \[m\].
@@ -390,7 +408,8 @@ impl<'a> Balance<'a> {
     /// Net outflow of each cell \[m\], and its derivatives by the unknowns of the cell and its neighbors to
     /// the east, west, north and south. Returns the flow through the edges of the box.
     pub(super) fn linearise(&self, outflow: &mut [f64], stencil: &mut [f64]) -> BoundaryFlux {
-        let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
+        let grid = self.film.grid();
+        let (nx, ny) = (grid.nx(), grid.ny());
         outflow.fill(0.0);
         stencil.fill(0.0);
         let (mut boundary_flux, mut terms) = ([0.0; 2], 0.0);
@@ -421,11 +440,12 @@ impl<'a> Balance<'a> {
                 add(self.flow_along(i, j), first, (i < nx).then_some(j * nx + i), 1);
             }
         }
-        // Faces along y.
-        for j in 0..=ny {
+        // Faces along y; that of a strip from its last row to its first one is the northern one.
+        for j in usize::from(grid.is_strip())..=ny {
             for i in 0..nx {
                 let first = j.checked_sub(1).map(|j| j * nx + i);
-                add(self.flow_across(i, j), first, (j < ny).then_some(j * nx + i), 3);
+                let second = if j < ny { Some(j * nx + i) } else { grid.is_strip().then_some(i) };
+                add(self.flow_across(i, j), first, second, 3);
             }
         }
         // A fed node keeps its pressure; its net outflow comes from the feed.

@@ -46,7 +46,7 @@ impl LinearSolver {
         let method = if grid.ny() == 1 {
             Method::Row { below: vec![0.0; n], diagonal: vec![0.0; n], above: vec![0.0; n] }
         } else {
-            let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), Periodicity::None));
+            let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), periodicity(&grid)));
             Method::Single { lu, stencil: vec![0.0; STENCIL * n], part: vec![0.0; n] }
         };
         Self { grid, method, residual: vec![0.0; n] }
@@ -56,7 +56,6 @@ impl LinearSolver {
     /// Returns the number of substitutions, or `None` if the factorization fails.
     pub(super) fn solve(&mut self, stencil: &[f64], rhs: &[f64], x: &mut [f64]) -> Option<u64> {
         let Self { grid, method, residual } = self;
-        let nx = grid.nx();
         match method {
             Method::Row { below, diagonal, above } => {
                 // A single row: the Thomas algorithm.
@@ -72,7 +71,7 @@ impl LinearSolver {
                     *single = *value as f32;
                 }
                 let refined = lu.factorise(single).then(|| {
-                    refine(stencil, nx, rhs, [x, residual], |residual, scale, x| {
+                    refine(stencil, grid, rhs, [x, residual], |residual, scale, x| {
                         for (part, residual) in part.iter_mut().zip(residual) {
                             *part = (residual / scale) as f32;
                         }
@@ -88,7 +87,7 @@ impl LinearSolver {
                     return Some(substitutions);
                 }
                 // Lost couplings: double precision from here on.
-                let lu = Box::new(GridLu::new(nx, grid.ny(), Periodicity::None));
+                let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), periodicity(grid)));
                 self.method = Method::Double { lu, part: vec![0.0; grid.len()] };
                 self.solve(stencil, rhs, x)
             }
@@ -96,26 +95,32 @@ impl LinearSolver {
                 if !lu.factorise(stencil) {
                     return None;
                 }
-                let (substitutions, left) = refine(stencil, nx, rhs, [x, residual], |residual, scale, x| {
-                    for (part, residual) in part.iter_mut().zip(residual) {
-                        *part = residual / scale;
-                    }
-                    lu.solve(part);
-                    for (x, part) in x.iter_mut().zip(&*part) {
-                        *x += scale * part;
-                    }
-                });
+                let (substitutions, left) =
+                    refine(stencil, grid, rhs, [x, residual], |residual, scale, x| {
+                        for (part, residual) in part.iter_mut().zip(residual) {
+                            *part = residual / scale;
+                        }
+                        lu.solve(part);
+                        for (x, part) in x.iter_mut().zip(&*part) {
+                            *x += scale * part;
+                        }
+                    });
                 left.is_finite().then_some(substitutions)
             }
         }
     }
 }
 
+/// The axis along which the grid repeats.
+fn periodicity(grid: &Grid) -> Periodicity {
+    if grid.is_strip() { Periodicity::AlongY } else { Periodicity::None }
+}
+
 /// Iterative refinement from zero: `correct` adds the approximate solution for a residual of the given norm. Returns the
 /// number of corrections and the norm of the residual over that of the right-hand side.
 fn refine(
     stencil: &[f64],
-    nx: usize,
+    grid: &Grid,
     rhs: &[f64],
     [x, residual]: [&mut [f64]; 2],
     mut correct: impl FnMut(&[f64], f64, &mut [f64]),
@@ -130,7 +135,7 @@ fn refine(
         }
         correct(residual, left, x);
         corrections += 1;
-        subtract_product(stencil, nx, x, rhs, residual);
+        subtract_product(stencil, grid, x, rhs, residual);
         let before = left;
         left = norm(residual);
         if left > STAGNANT * before || !left.is_finite() {
@@ -146,13 +151,13 @@ fn norm(values: &[f64]) -> f64 {
 }
 
 /// `out = rhs - A x`.
-fn subtract_product(stencil: &[f64], nx: usize, x: &[f64], rhs: &[f64], out: &mut [f64]) {
+fn subtract_product(stencil: &[f64], grid: &Grid, x: &[f64], rhs: &[f64], out: &mut [f64]) {
     let at = |k: Option<usize>| k.and_then(|k| x.get(k)).copied().unwrap_or(0.0);
     for (k, ((row, rhs), out)) in stencil.chunks_exact(STENCIL).zip(rhs).zip(out).enumerate() {
         let around = row[1] * at(Some(k + 1))
             + row[2] * at(k.checked_sub(1))
-            + row[3] * at(Some(k + nx))
-            + row[4] * at(k.checked_sub(nx));
+            + row[3] * at(grid.north_of(k))
+            + row[4] * at(grid.south_of(k));
         *out = rhs - row[0] * x[k] - around;
     }
 }

@@ -85,7 +85,8 @@ pub enum SideEdges {
 /// `(p - p_cav) (1 - theta) = 0`,
 ///
 /// where `u` is the mean of both speeds. Mass is conserved at rupture and reformation. The film is steady: a
-/// textured surface is at rest, and a moving surface is smooth. At the edges of the box, half a cell beyond the
+/// textured surface is at rest, and a moving surface is smooth. On a [strip](Grid::strip) the film repeats along y, and
+/// there are no side edges. At the edges of the box, half a cell beyond the
 /// outermost nodes, pressures are given and the film is full; so it is in [`Feed`]s.
 ///
 /// Pressures may be absolute or relative to ambient. Viscosity and density follow the laws at these

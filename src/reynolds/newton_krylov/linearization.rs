@@ -280,3 +280,6 @@ impl Linearization {
         row
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,3 +1,5 @@
+mod strip;
+
 use super::*;
 use crate::lubricant::{Barus, DowsonHigginson, Incompressible, Rheology, Roelands};
 use crate::reynolds::inner_nodes::interior;
