@@ -149,7 +149,8 @@ fn film_around_an_asperity_in_the_first_row_is_symmetric() {
         400e-9 * (-((x - 0.6) / 0.04).powi(2) - across * across).exp()
     };
     let (state, _, _) = roller([nx, ny], 0.02, asperity);
-    assert!(state.in_contact[..nx].contains(&true), "the asperity touches");
+    let largest = |j: usize| state.pressure[j * nx..][..nx].iter().copied().fold(0.0, f64::max);
+    assert!(largest(0) > 1.1 * largest(ny / 2), "{:e} and {:e} Pa", largest(0), largest(ny / 2));
     for j in 1..ny {
         let [row, mirrored] = [j, ny - j].map(|j| &state.film[j * nx..][..nx]);
         for (i, (a, b)) in row.iter().zip(mirrored).enumerate() {
