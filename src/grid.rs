@@ -70,8 +70,9 @@ impl Grid {
         Ok(Self { nx, ny, dx, dy, x0: x[0] + 0.5 * dx, y0: y[0] + 0.5 * dy, is_periodic: false })
     }
 
-    /// Grid of a strip: a line contact, endless along y, whose surfaces repeat with the width of the box. Loads,
-    /// areas and flows of fields on it are those of one period, [`Grid::size_y`].
+    /// Grid of a strip: a line contact, endless along y, whose surfaces repeat with the width of the box. Deformation and
+    /// flow repeat with them: the last row is next to the first one. Loads, areas and flows of fields on it are those of
+    /// one period, [`Grid::size_y`].
     ///
     /// # Errors
     /// Those of [`Grid::from_edges`], and fewer than 5 rows.
@@ -87,9 +88,9 @@ impl Grid {
         Ok(Self { is_periodic: true, ..Self::from_edges(nx, ny, x, y)? })
     }
 
-    /// The first `nx` x `ny` cells.
+    /// The first `nx` x `ny` cells; a strip keeps its period if these are all of its rows.
     pub(crate) fn corner(&self, nx: usize, ny: usize) -> Self {
-        Self { nx, ny, is_periodic: false, ..*self }
+        Self { nx, ny, is_periodic: self.is_periodic && ny == self.ny, ..*self }
     }
 
     /// Another mesh of the same box.
@@ -140,6 +141,17 @@ impl Grid {
     /// Whether the first and the last row are edges: not for a line contact, as one row or as a strip.
     pub(crate) fn has_side_edges(&self) -> bool {
         self.ny > 1 && !self.is_periodic
+    }
+    /// Node north of node `k`, on a strip that in the first row for the last one; `None` across an edge.
+    #[inline]
+    pub(crate) fn north_of(&self, k: usize) -> Option<usize> {
+        let north = k + self.nx;
+        if north < self.len() { Some(north) } else { self.is_periodic.then(|| north - self.len()) }
+    }
+    /// Node south of node `k`, on a strip that in the last row for the first one; `None` across an edge.
+    #[inline]
+    pub(crate) fn south_of(&self, k: usize) -> Option<usize> {
+        if k >= self.nx { Some(k - self.nx) } else { self.is_periodic.then(|| k + self.len() - self.nx) }
     }
     /// Length that the loads, areas and flows of a line contact on this grid refer to; one for a point contact
     /// \[m\].

@@ -73,6 +73,7 @@ mod starvation;
 mod stated_bodies;
 mod strange_files;
 mod strip;
+mod strip_flow;
 mod strip_history;
 mod strip_layers;
 mod strip_stress;

@@ -39,7 +39,7 @@ pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
 pub(crate) use false_position::FalsePosition;
 pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
-pub(crate) use grid_lu::{GridLu, Periodicity, STENCIL};
+pub(crate) use grid_lu::{GridLu, Neighbors, Periodicity, STENCIL};
 pub(crate) use least_squares::least_squares;
 pub(crate) use lines::{FieldLines, for_each_range, for_each_with, map_lines, map_nodes};
 pub(crate) use parallel::{chunk_count, join};

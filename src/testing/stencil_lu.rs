@@ -1,11 +1,12 @@
 use std::fmt::Debug;
 
-use crate::numerics::{GridLu, Periodicity};
+use crate::grid::Grid;
+use crate::numerics::{GridLu, Periodicity, STENCIL};
 use crate::reynolds::{FluidBlock, NewtonKrylov, NewtonSettings};
 
 /// A factorization of matrices on the five-point stencil, see [`StencilLu`] for their layout.
 pub trait StencilFactorization: Debug + Send + Sync + 'static {
-    /// For grids of `nx` by `ny` nodes.
+    /// For grids of `nx` by `ny` nodes with four edges.
     fn new(nx: usize, ny: usize) -> Self;
 
     /// Factorizes the matrix. Returns whether its factors are finite.
@@ -33,20 +34,45 @@ pub trait StencilFactorization: Debug + Send + Sync + 'static {
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 pub fn newton_by<F: StencilFactorization>() -> NewtonKrylov {
-    NewtonKrylov::by(|grid| Box::new(Block(F::new(grid.nx(), grid.ny()))), NewtonSettings::default())
+    NewtonKrylov::by(|grid| Box::new(Block::<F>::on(grid)), NewtonSettings::default())
 }
 
-/// A custom factorization as a part of the preconditioner.
+/// A custom factorization as a part of the preconditioner. It has no couplings between the first and the last row of
+/// a strip, which GMRES has to make up for.
 #[derive(Debug)]
-struct Block<F>(F);
+struct Block<F> {
+    factorization: F,
+    /// Entries in a row of nodes of a strip, zero on other grids.
+    row: usize,
+    /// Matrix of a strip without the couplings across its first and last row.
+    stencil: Vec<f32>,
+}
+
+impl<F: StencilFactorization> Block<F> {
+    fn on(grid: &Grid) -> Self {
+        Self {
+            factorization: F::new(grid.nx(), grid.ny()),
+            row: if grid.is_strip() { STENCIL * grid.nx() } else { 0 },
+            stencil: Vec::new(),
+        }
+    }
+}
 
 impl<F: StencilFactorization> FluidBlock for Block<F> {
     fn prepare(&mut self, stencil: &[f32], _must_stop: &(dyn Fn() -> bool + Sync)) -> bool {
-        self.0.factorize(stencil)
+        if self.row == 0 {
+            return self.factorization.factorize(stencil);
+        }
+        self.stencil.clear();
+        self.stencil.extend_from_slice(stencil);
+        let last = stencil.len() - self.row;
+        self.stencil[..self.row].iter_mut().skip(4).step_by(STENCIL).for_each(|south| *south = 0.0);
+        self.stencil[last..].iter_mut().skip(3).step_by(STENCIL).for_each(|north| *north = 0.0);
+        self.factorization.factorize(&self.stencil)
     }
 
     fn solve(&mut self, _stencil: &[f32], rhs: &mut [f32]) {
-        self.0.solve(rhs);
+        self.factorization.solve(rhs);
     }
 
     /// All rows have the same weight, as for the factorization of the crate.

@@ -195,8 +195,8 @@ impl FilmTemperature {
                     flow.flows.east[k] / (cells_to_next(flow.flows, k % nx, nx) * dx),
                 );
             }
-            if k + nx < n {
-                self.drive(flow, [k, k + nx], flow.flows.north[k] / (rows_to_next(k / nx) * dy));
+            if let Some(north) = self.grid.north_of(k) {
+                self.drive(flow, [k, north], flow.flows.north[k] / (rows_to_next(k / nx) * dy));
             }
             self.flows[k] = self.layer_flow(flow, k);
             self.resistance[k] = flow.film_at(k) / self.properties.conductivity;

@@ -19,7 +19,7 @@ use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
 
 use self::answers::Answers;
-use self::disc::{Disc, Finish};
+use self::disc::Finish;
 use crate::files;
 use crate::output::{self, Outcome};
 

@@ -29,7 +29,7 @@ mod tree;
 use std::fmt;
 
 use dense::perturbed_pivot;
-pub(crate) use periodicity::Periodicity;
+pub(crate) use periodicity::{Neighbors, Periodicity};
 use real::Real;
 use structure::DECOUPLED;
 use tree::Tree;

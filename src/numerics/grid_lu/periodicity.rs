@@ -8,14 +8,13 @@ pub(crate) enum Periodicity {
     None,
     /// The node east of the last column is that of the first column in the same row.
     AlongX,
-    #[cfg_attr(not(test), expect(dead_code, reason = "no grid repeats along y yet"))]
     /// The node north of the last row is that of the first row in the same column.
     AlongY,
 }
 
 /// The five-point stencil of each node.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Neighbors {
+pub(crate) struct Neighbors {
     nx: usize,
     ny: usize,
     periodicity: Periodicity,
@@ -29,14 +28,14 @@ impl Periodicity {
 
 impl Neighbors {
     /// Stencils of a grid.
-    pub(super) fn new(nx: usize, ny: usize, periodicity: Periodicity) -> Self {
+    pub(crate) fn new(nx: usize, ny: usize, periodicity: Periodicity) -> Self {
         Self { nx, ny, periodicity }
     }
 
     /// Node in `slot` of the stencil of `node`: itself, east, west, north, south. Across an edge it has no meaning
     /// and may be beyond the last node.
     #[inline(always)]
-    pub(super) fn at(&self, node: usize, slot: usize) -> usize {
+    pub(crate) fn at(&self, node: usize, slot: usize) -> usize {
         let (nx, n) = (self.nx, self.nx * self.ny);
         match (slot, self.periodicity) {
             (0, _) => node,

@@ -113,8 +113,9 @@ fn cosine_squared(
 ) -> f64 {
     let i = front - 1;
     let here = open(i, j).unwrap_or(0.0);
-    let before = j.checked_sub(1).and_then(|j| open(i, j));
-    let after = if j + 1 < grid.ny() { open(i, j + 1) } else { None };
+    let k = j * grid.nx() + i;
+    let [before, after] =
+        [grid.south_of(k), grid.north_of(k)].map(|node| node.and_then(|node| open(i, node / grid.nx())));
     let across = match (before, after) {
         (Some(before), Some(after)) => 0.5 * (after - before),
         (Some(before), None) => here - before,

@@ -4,7 +4,7 @@ use super::flank::half_interval;
 use crate::grid::Grid;
 use crate::lubricant::{Barus, Incompressible, Lubricant};
 use crate::report::Status;
-use crate::reynolds::{FilmThickness, GivenFilm, ReynoldsError, SideEdges};
+use crate::reynolds::{FilmThickness, GivenFilm, ReynoldsError};
 
 /// Relative change of a film up to which the flow of earlier films holds. The flow errs by three times as much.
 const SAME_FILM: f64 = 1e-3;
@@ -46,11 +46,10 @@ impl ValleyFlow {
             half_interval(near, far, length, contact_film)
         })?;
         let fluid = Lubricant::new(Barus::new(1.0, 0.0)?, Incompressible);
-        let sides = if grid.has_side_edges() { SideEdges::Ambient } else { SideEdges::Closed };
         let flow = GivenFilm {
             imbalance: IMBALANCE,
             most_steps: MOST_STEPS,
-            ..GivenFilm::new(&thickness, &fluid, [1.0; 2]).with_sides(sides)
+            ..GivenFilm::new(&thickness, &fluid, [1.0; 2])
         };
         let flow = flow.solve_unless(must_stop)?;
         self.rise.clear();

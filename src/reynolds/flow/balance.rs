@@ -57,7 +57,8 @@ impl FlowBalance {
 pub struct FilmFlows {
     /// Pressure flow through the face between the node and the next one along x; zero at the edge of the box.
     pub east: Vec<f64>,
-    /// Pressure flow through the face between the node and the next one along y; zero at the edge of the box.
+    /// Pressure flow through the face between the node and the next one along y; zero at the edge of the box. On a
+    /// [strip](crate::Grid::strip) the first row is next to the last one.
     pub north: Vec<f64>,
     /// Total flow along x through the cell of the node: the mean over its two faces along x.
     pub through: Vec<f64>,

@@ -324,10 +324,20 @@ impl<'a> Balance<'a> {
 
     /// The flow along y through the face before node `(i, j)`, times `dx / dy` \[m\].
     pub(super) fn flow_across(&self, i: usize, j: usize) -> Flow {
-        let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
+        let grid = self.film.grid();
+        let (nx, ny, is_strip) = (grid.nx(), grid.ny(), grid.is_strip());
         let c = self.across[j * nx + i];
-        let first = j.checked_sub(1).map_or(self.sides[0], |j| self.fluids[j * nx + i]);
-        let second = if j < ny { self.fluids[j * nx + i] } else { self.sides[1] };
+        let at = |j: usize| self.fluids[j * nx + i];
+        let first = match j.checked_sub(1) {
+            Some(south) => at(south),
+            None if is_strip => at(ny - 1),
+            None => self.sides[0],
+        };
+        let second = match j {
+            _ if j < ny => at(j),
+            _ if is_strip => at(0),
+            _ => self.sides[1],
+        };
         Flow {
             value: c * (first.potential - second.potential),
             by_first: c * first.potential_s,
@@ -337,12 +347,13 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// Flows out through the edges west, east, south and north \[m\].
+    /// Flows out through the edges west, east, south and north \[m\]; a strip has no edges south and north.
     pub(super) fn edge_flows(&self) -> [f64; 4] {
         let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
         let along = |i: usize| (0..ny).map(|j| self.flow_along(i, j).value).sum::<f64>();
         let across = |j: usize| (0..nx).map(|i| self.flow_across(i, j).value).sum::<f64>();
-        [-along(0), along(nx), -across(0), across(ny)]
+        let sides = if self.film.grid().is_strip() { [0.0; 2] } else { [-across(0), across(ny)] };
+        [-along(0), along(nx), sides[0], sides[1]]
     }
 
     /// Net outflow of cell `(i, j)` \[m\].
@@ -354,7 +365,8 @@ impl<'a> Balance<'a> {
     /// Net outflow of each cell \[m\], and its derivatives by the unknowns of the cell and its neighbors to
     /// the east, west, north and south. Returns the flow through the edges of the box.
     pub(super) fn linearise(&self, outflow: &mut [f64], stencil: &mut [f64]) -> BoundaryFlux {
-        let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
+        let grid = self.film.grid();
+        let (nx, ny) = (grid.nx(), grid.ny());
         outflow.fill(0.0);
         stencil.fill(0.0);
         let (mut boundary_flux, mut terms) = ([0.0; 2], 0.0);
@@ -387,11 +399,12 @@ impl<'a> Balance<'a> {
             }
         }
         let circulating = if self.is_periodic { self.edge_flows()[EAST].abs() } else { 0.0 };
-        // Faces along y.
-        for j in 0..=ny {
+        // Faces along y; that of a strip from its last row to its first one is the northern one.
+        for j in usize::from(grid.is_strip())..=ny {
             for i in 0..nx {
                 let first = j.checked_sub(1).map(|j| j * nx + i);
-                add(self.flow_across(i, j), first, (j < ny).then_some(j * nx + i), 3);
+                let second = if j < ny { Some(j * nx + i) } else { grid.is_strip().then_some(i) };
+                add(self.flow_across(i, j), first, second, 3);
             }
         }
         // A fed node keeps its pressure; its net outflow comes from the feed.

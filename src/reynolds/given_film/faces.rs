@@ -48,18 +48,25 @@ pub(super) fn faces_along(
     faces
 }
 
-/// Conductances of the faces along y; zero at closed sides.
+/// Conductances of the faces along y; zero at closed sides. On a strip the sides are one face, from the last row to the
+/// first one.
 pub(super) fn conductances_across(problem: &GivenFilm<'_>, film: &FilmThickness, drag: f64) -> Vec<f64> {
     let grid = film.grid();
     let (nx, ny, aspect) = (grid.nx(), grid.ny(), grid.dx() / grid.dy());
     let node = |i: usize, j: usize| (grid.x(i), grid.y(j));
-    let is_closed = ny == 1 || problem.sides == SideEdges::Closed;
+    let is_strip = grid.is_strip();
+    let is_closed = ny == 1 || (problem.sides == SideEdges::Closed && !is_strip);
     let mut across = Vec::with_capacity(nx * (ny + 1));
     for (j, i) in (0..=ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
         let is_side = j == 0 || j == ny;
         let share = if is_side { 1.0 } else { free_share(problem.feeds, node(i, j - 1), node(i, j)) };
         let is_shut = is_closed && is_side;
-        across.push(if is_shut { 0.0 } else { aspect / (drag * share * problem.cubes_across(film, i, j)) });
+        let cubes = if is_side && is_strip {
+            problem.cubes_across(film, i, 0) + problem.cubes_across(film, i, ny)
+        } else {
+            problem.cubes_across(film, i, j)
+        };
+        across.push(if is_shut { 0.0 } else { aspect / (drag * share * cubes) });
     }
     across
 }

@@ -84,7 +84,8 @@ pub struct FilmThickness {
     nodes: Vec<f64>,
     /// Intervals along x, `nx + 1` per row.
     along: Vec<FaceIntegral>,
-    /// `1/h^3` integrated over the intervals along y, `ny + 1` rows of `nx` \[1/m^2\].
+    /// `1/h^3` integrated over the intervals along y, `ny + 1` rows of `nx` \[1/m^2\]. On a strip the first and the last
+    /// row are the two halves of the interval from the last row of nodes to the first one.
     across: Vec<f64>,
 }
 
@@ -132,8 +133,14 @@ impl FilmThickness {
         }
         // The same along y.
         let mut across = Vec::with_capacity(nx * (ny + 1));
+        let at_side = |j: usize| grid.is_strip() && (j == 0 || j == ny);
         for j in 0..=ny {
             for i in 0..nx {
+                if at_side(j) {
+                    let [near, far] = if j == 0 { [0, ny - 1] } else { [ny - 1, 0] };
+                    across.push(piece(film[near * nx + i], film[far * nx + i], half_y).cubes);
+                    continue;
+                }
                 let [south, north] = [j.max(1) - 1, j.min(ny - 1)].map(|j| film[j * nx + i]);
                 let length = if j > 0 && j < ny { half_y } else { 0.5 * half_y };
                 across.push(piece(south, north, length).cubes + piece(north, south, length).cubes);
@@ -238,6 +245,7 @@ impl FilmThickness {
     pub(super) fn coarser(&self, least: usize) -> Option<Self> {
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         let half = |n: usize| if n > least { n.div_ceil(2) } else { n };
+        let make = if self.grid.is_strip() { Grid::strip } else { Grid::from_edges };
         let (coarse_x, coarse_y) = (half(nx), half(ny));
         if (coarse_x, coarse_y) == (nx, ny) {
             return None;
@@ -246,7 +254,7 @@ impl FilmThickness {
         let edges = |first: f64, d: f64, n: usize| [first - 0.5 * d, first + d * (n as f64 - 0.5)];
         let x = edges(self.grid.x(0), self.grid.dx(), nx);
         let y = edges(self.grid.y(0), self.grid.dy(), ny);
-        let grid = Grid::from_edges(coarse_x, coarse_y, x, y).ok()?;
+        let grid = make(coarse_x, coarse_y, x, y).ok()?;
         // Films of the nearest nodes.
         let of = |i: usize, n: usize, coarse: usize| ((2 * i + 1) * n / (2 * coarse)).min(n - 1);
         let film: Vec<f64> = (0..coarse_y)

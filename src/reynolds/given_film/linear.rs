@@ -6,7 +6,7 @@
 //! factorized in double precision.
 
 use crate::grid::Grid;
-use crate::numerics::{GridLu, Periodicity, STENCIL, solve_tridiagonal};
+use crate::numerics::{GridLu, Neighbors, Periodicity, STENCIL, solve_tridiagonal};
 
 /// Relative residual of an accepted solution.
 const TOLERANCE: f64 = 1e-13;
@@ -22,8 +22,8 @@ const STAGNANT: f64 = 0.5;
 pub(super) struct LinearSolver {
     /// The grid of the unknowns.
     grid: Grid,
-    /// Whether the last node of a row is coupled to the first one.
-    is_periodic: bool,
+    /// The axis along which it repeats.
+    periodicity: Periodicity,
     /// Elimination method, by the shape of the grid and the matrices so far.
     method: Method,
     /// Residual of the current solution.
@@ -42,23 +42,23 @@ enum Method {
 }
 
 impl LinearSolver {
-    /// Buffers and order of elimination for `grid`, whose rows may be `is_periodic`.
-    pub(super) fn new(grid: Grid, is_periodic: bool) -> Self {
+    /// Buffers and order of elimination for `grid`, which may repeat along one axis.
+    pub(super) fn new(grid: Grid, periodicity: Periodicity) -> Self {
         let n = grid.len();
         let method = if grid.ny() == 1 {
             Method::Row { below: vec![0.0; n], diagonal: vec![0.0; n], above: vec![0.0; n] }
         } else {
-            let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), periodicity(is_periodic)));
+            let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), periodicity));
             Method::Single { lu, stencil: vec![0.0; STENCIL * n], part: vec![0.0; n] }
         };
-        Self { grid, is_periodic, method, residual: vec![0.0; n] }
+        Self { grid, periodicity, method, residual: vec![0.0; n] }
     }
 
     /// Solves `A x = rhs` with row `k` of `A` at `stencil[5 k..5 k + 5]`: center, east, west, north, south.
     /// Returns the number of substitutions, or `None` if the factorization fails.
     pub(super) fn solve(&mut self, stencil: &[f64], rhs: &[f64], x: &mut [f64]) -> Option<u64> {
-        let Self { grid, is_periodic, method, residual } = self;
-        let product = Product { stencil, nx: grid.nx(), is_periodic: *is_periodic };
+        let Self { grid, periodicity, method, residual } = self;
+        let product = Product { stencil, neighbors: Neighbors::new(grid.nx(), grid.ny(), *periodicity) };
         match method {
             Method::Row { below, diagonal, above } => {
                 // A single row: the Thomas algorithm.
@@ -90,7 +90,7 @@ impl LinearSolver {
                     return Some(substitutions);
                 }
                 // Lost couplings: double precision from here on.
-                let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), periodicity(self.is_periodic)));
+                let lu = Box::new(GridLu::new(grid.nx(), grid.ny(), *periodicity));
                 self.method = Method::Double { lu, part: vec![0.0; grid.len()] };
                 self.solve(stencil, rhs, x)
             }
@@ -111,11 +111,6 @@ impl LinearSolver {
             }
         }
     }
-}
-
-/// Periodicity of a grid whose rows may be `is_periodic`.
-fn periodicity(is_periodic: bool) -> Periodicity {
-    if is_periodic { Periodicity::AlongX } else { Periodicity::None }
 }
 
 /// Iterative refinement from zero: `correct` adds the approximate solution for a residual of the given norm. Returns the
@@ -151,34 +146,21 @@ fn norm(values: &[f64]) -> f64 {
     values.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
-/// The matrix of a stencil of `nx` columns.
+/// The matrix of a stencil.
 #[derive(Debug, Clone, Copy)]
 struct Product<'a> {
     /// Rows: center, east, west, north, south.
     stencil: &'a [f64],
-    /// Columns of the grid.
-    nx: usize,
-    /// Whether the last node of a row is coupled to the first one.
-    is_periodic: bool,
+    /// Nodes of the stencils; entries across an edge are zero.
+    neighbors: Neighbors,
 }
 
 impl Product<'_> {
     /// `out = rhs - A x`.
     fn subtract(self, x: &[f64], rhs: &[f64], out: &mut [f64]) {
-        let nx = self.nx;
-        let at = |k: Option<usize>| k.and_then(|k| x.get(k)).copied().unwrap_or(0.0);
         for (k, ((row, rhs), out)) in self.stencil.chunks_exact(STENCIL).zip(rhs).zip(out).enumerate() {
-            let (mut east, mut west) = (Some(k + 1), k.checked_sub(1));
-            if self.is_periodic {
-                let i = k % nx;
-                east = Some(if i + 1 == nx { k - i } else { k + 1 });
-                west = Some(if i == 0 { k + nx - 1 } else { k - 1 });
-            }
-            let around = row[1] * at(east)
-                + row[2] * at(west)
-                + row[3] * at(Some(k + nx))
-                + row[4] * at(k.checked_sub(nx));
-            *out = rhs - row[0] * x[k] - around;
+            let term = |slot: usize| row[slot] * x.get(self.neighbors.at(k, slot)).copied().unwrap_or(0.0);
+            *out = rhs - row[0] * x[k] - (term(1) + term(2) + term(3) + term(4));
         }
     }
 }
@@ -213,7 +195,7 @@ mod tests {
             // A unit source in the square leaves it through its boundary.
             let mut rhs = vec![0.0; grid.len()];
             rhs[24 * 12 + 12] = 1.0;
-            let mut solver = LinearSolver::new(grid, false);
+            let mut solver = LinearSolver::new(grid, Periodicity::None);
             let mut x = vec![0.0; grid.len()];
             solver.solve(&stencil, &rhs, &mut x).unwrap();
             let lost = (8..16).flat_map(|j| {

@@ -36,6 +36,7 @@ use super::ReynoldsError;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
+use crate::numerics::Periodicity;
 use crate::with_fields::with_fields;
 
 /// Convergence bound of bearings.
@@ -90,7 +91,8 @@ pub enum SideEdges {
 /// `(p - p_cav) (1 - theta) = 0`,
 ///
 /// where `u` is the mean of both speeds. Mass is conserved at rupture and reformation. The film is steady: a
-/// textured surface is at rest, and a moving surface is smooth. At the edges of the box, half a cell beyond the
+/// textured surface is at rest, and a moving surface is smooth. On a [strip](Grid::strip) the film repeats along y, and
+/// there are no side edges. At the edges of the box, half a cell beyond the
 /// outermost nodes, pressures are given and the film is full; so it is in [`Feed`]s.
 ///
 /// Pressures may be absolute or relative to ambient. Viscosity and density follow the laws at these
@@ -211,6 +213,15 @@ impl GivenFilm<'_> {
         solution::solve(self, &interrupted).ok_or(ReynoldsError::Interrupted)
     }
 
+    /// The axis along which the film repeats.
+    fn periodicity(&self) -> Periodicity {
+        match (self.is_periodic, self.film.grid().is_strip()) {
+            (true, _) => Periodicity::AlongX,
+            (false, true) => Periodicity::AlongY,
+            (false, false) => Periodicity::None,
+        }
+    }
+
     /// The interval of `film` along x that ends at node `(i, j)`; of a periodic film the first and the last one are those
     /// over its end.
     fn interval(&self, film: &FilmThickness, i: usize, j: usize) -> FaceIntegral {
@@ -259,6 +270,12 @@ impl GivenFilm<'_> {
             return conflict(
                 "is_periodic",
                 format!("a film that repeats along x needs at least 3 x 3 nodes, {found}"),
+            );
+        }
+        if grid.is_strip() {
+            return conflict(
+                "is_periodic",
+                "a film on a strip repeats along y; along x or y, not both".to_owned(),
             );
         }
         let sides = if self.sides == SideEdges::Ambient { &self.edge_pressures[SOUTH..] } else { &[] };

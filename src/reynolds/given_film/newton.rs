@@ -130,7 +130,7 @@ fn on_grid<'a>(
     let mut unknowns = first_unknowns(&balance, start);
     let (mut outflow, mut stencil, mut change) = (zeros(1), zeros(STENCIL), zeros(1));
     let mut best = (f64::INFINITY, unknowns.clone());
-    let mut linear = LinearSolver::new(grid, problem.is_periodic);
+    let mut linear = LinearSolver::new(grid, problem.periodicity());
     let (mut steps, mut substitutions) = (0, 0);
     let mut step_length = StepLength { share: 1.0, last: f64::INFINITY };
     let status = loop {

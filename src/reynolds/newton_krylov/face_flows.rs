@@ -35,10 +35,22 @@ pub(super) fn flow_changes(
 ) {
     let end = (first + out.len()).min(pressure.len() - stride);
     let n = end.saturating_sub(first);
+    changes_between(flows, [first.min(end), end - n + stride], [pressure, film], &mut out[..n]);
+}
+
+/// Changes of the flows through as many faces as `out` has, from the nodes from `first` on to those from `other` on.
+#[inline]
+pub(super) fn changes_between(
+    flows: &FaceFlows,
+    [first, other]: [usize; 2],
+    [pressure, film]: [&[f32]; 2],
+    out: &mut [f32],
+) {
+    let n = out.len();
     let [own_p, other_p, own_h, other_h] = flows.each_ref().map(|derivatives| &derivatives[first..][..n]);
-    let (p, p_other) = (&pressure[first..][..n], &pressure[end - n + stride..][..n]);
-    let (h, h_other) = (&film[first..][..n], &film[end - n + stride..][..n]);
-    for (k, out) in out[..n].iter_mut().enumerate() {
+    let (p, p_other) = (&pressure[first..][..n], &pressure[other..][..n]);
+    let (h, h_other) = (&film[first..][..n], &film[other..][..n]);
+    for (k, out) in out.iter_mut().enumerate() {
         *out = (own_p[k] * p[k] + other_p[k] * p_other[k]) + (own_h[k] * h[k] + other_h[k] * h_other[k]);
     }
 }

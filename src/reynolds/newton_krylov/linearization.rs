@@ -5,7 +5,7 @@
 //! balance of an isolated region, the small difference of large flows, keeps its digits.
 
 use super::across::Across;
-use super::face_flows::{FaceFlows, flow_changes, higher_order_changes, single, store};
+use super::face_flows::{FaceFlows, changes_between, flow_changes, higher_order_changes, single, store};
 use crate::grid::Grid;
 use crate::numerics::{FieldLines, STENCIL, for_each_range, map_lines, map_nodes};
 use crate::reynolds::flow::Discretisation;
@@ -99,7 +99,9 @@ impl Linearization {
             self.higher_order_change.fill(0.0);
         }
         let north = self.north.each_mut().map(|field| FieldLines::new(field, nx));
-        for_each_range(north, ny - 1, n, |rows, mut north| {
+        // A strip has faces north of its last row.
+        let rows = if self.grid.is_strip() { ny } else { ny - 1 };
+        for_each_range(north, rows, n, |rows, mut north| {
             for (i, k) in (rows.start * nx..rows.end * nx).enumerate() {
                 store(&mut north, i, fluid.north_derivatives(k), stiffness);
             }
@@ -142,7 +144,7 @@ impl Linearization {
 
     /// Changes of masses, of flows through faces and of entrainment beyond the masses.
     fn update_changes(&mut self, pressure: &[f32], film: &[f32]) {
-        let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
+        let (nx, ny, n, is_strip) = (self.grid.nx(), self.grid.ny(), self.grid.len(), self.grid.is_strip());
         let (east, north, higher_order, has_corrections) =
             (&self.east, &self.north, &self.higher_order, self.has_entrainment_corrections);
         let [by_pressure, by_film] = &self.mass;
@@ -166,6 +168,11 @@ impl Linearization {
             if ny > 1 {
                 flow_changes(north, nx, [pressure, film], first, north_change.values);
             }
+            if is_strip && rows.end == ny {
+                // From the last row to the first.
+                let last = &mut north_change.values[(ny - 1) * nx - first..];
+                changes_between(north, [n - nx, 0], [pressure, film], last);
+            }
         });
     }
 
@@ -182,9 +189,9 @@ impl Linearization {
         for i in 1..nx - 1 {
             out[i] = east[i] - east[i - 1];
         }
-        // The first row of a strip has no face to the south, the last one no flow to the north.
-        if first >= nx {
-            let south = &self.north_change[first - nx..first];
+        // A window has no faces south of its first row.
+        if let Some(south) = self.grid.south_of(first) {
+            let south = &self.north_change[south..south + nx];
             for ((out, north), south) in out[1..nx - 1].iter_mut().zip(&north[1..]).zip(&south[1..]) {
                 *out += north - south;
             }
@@ -240,8 +247,7 @@ impl Linearization {
         let (east, north, mass) = (&self.east, &self.north, &self.mass);
         // Derivatives by pressures (`a` = 0) or by films (2), at `a` and `a + 1` in the flows.
         let derivatives = |a: usize| {
-            // Beyond the last row there is no flow.
-            let across = match k.checked_sub(nx) {
+            let across = match self.grid.south_of(k) {
                 Some(south) => [north[a][k] - north[a + 1][south], north[a + 1][k], -north[a][south]],
                 None => [north[a][k], north[a + 1][k], 0.0],
             };
@@ -255,8 +261,8 @@ impl Linearization {
             ]
         };
         let (by_pressure, by_film) = (derivatives(0), derivatives(2));
-        let north_of = if k + nx < self.grid.len() { k + nx } else { k };
-        let nodes = [k, k + 1, k - 1, north_of, k.checked_sub(nx).unwrap_or(k)];
+        let [north_of, south_of] = [self.grid.north_of(k), self.grid.south_of(k)].map(|o| o.unwrap_or(k));
+        let nodes = [k, k + 1, k - 1, north_of, south_of];
         let share = if is_coupled[k] { self.advected[k] } else { 1.0 };
         let mut row = std::array::from_fn(|slot| {
             let [pressure, film] = dof_map(nodes[slot]);
@@ -274,3 +280,6 @@ impl Linearization {
         row
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -56,6 +56,7 @@ mod window;
 mod window_place;
 
 pub(crate) use fluid_block::FluidBlock;
+use fluid_block::lu_of;
 use linear_system::LinearSystem;
 use local_elimination::LocalElimination;
 use newton::Newton;
@@ -68,7 +69,6 @@ use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule};
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{GridLu, Periodicity};
 use crate::report::SolveReport;
 use crate::solver_id::SolverId;
 
@@ -111,10 +111,7 @@ impl Clone for NewtonKrylov {
 
 impl Default for NewtonKrylov {
     fn default() -> Self {
-        Self::by(
-            |grid| Box::new(GridLu::<f32>::new(grid.nx(), grid.ny(), Periodicity::None)),
-            NewtonSettings::default(),
-        )
+        Self::by(|grid| Box::new(lu_of(grid)), NewtonSettings::default())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Newton's method on the mass balances of a few cells, everything around held.
 
+use super::fluid_block::lu_of;
 use super::linearization::Linearization;
 use super::node::{NodeBalance, NodeParameters, NodePrediction, NodeSolution};
 use super::prediction::Prediction;
@@ -8,7 +9,7 @@ use super::weak_coupling::is_weakly_coupled;
 use super::window_place::WindowPlace;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
-use crate::numerics::{GridLu, Periodicity, STENCIL};
+use crate::numerics::{GridLu, STENCIL};
 use crate::reynolds::active_set::{Fluid, NodeState, Solid};
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::flow::{Discretisation, NearField};
@@ -60,7 +61,7 @@ impl Window {
             place: WindowPlace::new(whole, &grid),
             fluid: Discretisation::new(grid),
             linearization: Linearization::new(grid),
-            lu: GridLu::new(grid.nx(), grid.ny(), Periodicity::None),
+            lu: lu_of(&grid),
             stencil: vec![0.0; STENCIL * n],
             nodes: vec![node; n],
             best: vec![node; n],
@@ -89,7 +90,7 @@ impl Window {
         prediction: &Prediction<'_>,
     ) {
         // Coefficients of the flow, states of the nodes, prediction.
-        self.fluid.set_window(&coupled.fluid, self.place.first());
+        self.fluid.set_window(&coupled.fluid, |j| self.place.row_start(j));
         for q in 0..self.grid.len() {
             let k = self.place.node(q);
             self.nodes[q] = NodeSolution {

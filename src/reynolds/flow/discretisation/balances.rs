@@ -113,7 +113,7 @@ impl Discretisation {
             if k % nx + 1 < nx {
                 flows.east[k] = along * self.east_flow[k];
             }
-            if k + nx < n {
+            if self.grid.north_of(k).is_some() {
                 flows.north[k] = across * self.north_flow[k];
             }
         }

@@ -37,9 +37,10 @@ impl Discretisation {
     }
 
     /// Derivatives of the pressure flow through the face north of node `k`: by both pressures, then by both films.
+    /// Zero across an edge.
     #[inline]
     pub(in crate::reynolds) fn north_derivatives(&self, k: usize) -> [f64; 4] {
-        let north = k + self.grid.nx();
+        let Some(north) = self.grid.north_of(k) else { return [0.0; 4] };
         self.flow_derivatives(k, north, self.coefficients[k][1], &self.face_flow(k, north, Direction::Across))
     }
 

@@ -1,7 +1,8 @@
 //! Flow through faces: neighbours, films, densities and mobilities.
 //!
-//! An update stores the quantities of the faces of changed nodes; derivatives are computed on demand. A face has the index of its first node: the one east of `k` is between `k` and `k + 1`, the
-//! one north of `k` between `k` and `k + nx`.
+//! An update stores the quantities of the faces of changed nodes; derivatives are computed on demand. A face has the
+//! index of its first node: the one east of `k` is between `k` and `k + 1`, the one north of `k` between `k` and
+//! `k + nx`, or the node of the first row north of the last one on a [strip](crate::Grid::strip).
 
 use std::mem::take;
 
@@ -27,12 +28,8 @@ impl Discretisation {
         let share = |i: usize, n: usize| if at_edge(i, n) { edge } else { 1.0 };
         let has_sides = self.grid.has_side_edges();
         for (j, row) in self.coefficients.chunks_exact_mut(nx).enumerate() {
-            // Rows of a strip have no northern face in the last row.
-            let north = match has_sides {
-                true => share(j, ny) * across,
-                false if j + 1 < ny => across,
-                false => 0.0,
-            };
+            // The rows of a strip have no edge.
+            let north = if has_sides { share(j, ny) * across } else { across };
             for (i, c) in row.iter_mut().enumerate() {
                 *c = [share(i, nx) * along, north];
             }
@@ -84,20 +81,20 @@ impl Discretisation {
         (self.east, self.east_flow) = (east, east_flow);
     }
 
-    /// Updates the pressure flow of the faces between two rows where one of both nodes has changed.
+    /// Updates the pressure flow of the faces between two rows if one of the two nodes has changed.
     pub(super) fn update_north_faces(&mut self) {
         let (nx, n) = (self.grid.nx(), self.grid.len());
         let (mut north, mut north_flow) = (take(&mut self.north), take(&mut self.north_flow));
         let fields = (FieldLines::new(&mut north, nx), FieldLines::new(&mut north_flow, nx));
         let this = &*self;
         for_each_range(fields, self.grid.ny(), n, |rows, (north, north_flow)| {
-            let first = rows.start * nx;
-            // There is no face north of the last row.
-            let nodes = first..(rows.end * nx).min(n - nx);
-            for ((north, flow), k) in north.values.iter_mut().zip(north_flow.values).zip(nodes) {
-                if this.changes.at(k) || this.changes.at(k + nx) {
-                    *north = this.face_flow(k, k + nx, Direction::Across).mobility;
-                    let drop = this.nodes[k].potential - this.nodes[k + nx].potential;
+            let faces = north.values.iter_mut().zip(north_flow.values);
+            for ((north, flow), k) in faces.zip(rows.start * nx..) {
+                // There is no face north of the last row, except on a strip.
+                let Some(other) = this.grid.north_of(k) else { break };
+                if this.changes.at(k) || this.changes.at(other) {
+                    *north = this.face_flow(k, other, Direction::Across).mobility;
+                    let drop = this.nodes[k].potential - this.nodes[other].potential;
                     *flow = this.coefficients[k][1] * *north * drop;
                 }
             }
@@ -181,14 +178,13 @@ impl Discretisation {
         flow.thinned(self.ratios[a].of(direction), self.ratios[b].of(direction))
     }
 
-    /// Neighbors of node `k` (east, west, north, south) with coefficients and mobilities of the faces. Beyond the
-    /// first and the last row of a line contact the node is its own neighbor, with a coefficient of zero.
+    /// Neighbors of node `k` (east, west, north, south) with coefficients and mobilities of the faces. Across an edge
+    /// the node is its own neighbor, with a coefficient or mobility of zero.
     #[inline]
     pub(super) fn neighbours(&self, k: usize) -> [(usize, f64, f64); 4] {
-        let nx = self.grid.nx();
         let ([east, north], [west, _]) = (self.coefficients[k], self.coefficients[k - 1]);
-        let north_of = if k + nx < self.grid.len() { k + nx } else { k };
-        let south = match k.checked_sub(nx) {
+        let north_of = self.grid.north_of(k).unwrap_or(k);
+        let south = match self.grid.south_of(k) {
             Some(o) => (o, self.coefficients[o][1], self.north[o]),
             None => (k, 0.0, 0.0),
         };

@@ -226,8 +226,9 @@ impl Discretisation {
     fn align(&mut self, gap: &[f64]) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
         for k in (0..n - 1).filter(|k| k % nx + 1 < nx) {
-            let (above, below) = (if k + nx < n { k + nx } else { k }, if k >= nx { k - nx } else { k });
-            let rows = ((above - below) / nx).max(1) as f64;
+            let beside = [self.grid.north_of(k), self.grid.south_of(k)];
+            let rows = beside.iter().flatten().count().max(1) as f64;
+            let [above, below] = beside.map(|node| node.unwrap_or(k));
             let along = (gap[k + 1] - gap[k]) / self.grid.dx();
             let rise = gap[above] + gap[above + 1] - gap[below] - gap[below + 1];
             let across = if ny == 1 { 0.0 } else { 0.5 * rise / (rows * self.grid.dy()) };
@@ -273,8 +274,8 @@ impl Discretisation {
     #[inline]
     fn pressure_outflow(&self, k: usize) -> f64 {
         let along = self.east_flow[k] - self.east_flow[k - 1];
-        // There is no face north of the last row.
-        match k.checked_sub(self.grid.nx()) {
+        // A grid that is no strip has no faces south of the first row and north of the last.
+        match self.grid.south_of(k) {
             Some(south) => along + (self.north_flow[k] - self.north_flow[south]),
             None => along + self.north_flow[k],
         }

@@ -1,3 +1,5 @@
+mod strip;
+
 use super::*;
 use crate::lubricant::{Barus, DowsonHigginson, Incompressible, Rheology, Roelands};
 use crate::reynolds::inner_nodes::interior;
@@ -206,7 +208,7 @@ fn balances_in_a_window_equal_those_of_the_full_grid() {
             let there = |q: usize| first + q % nx + q / nx * grid.nx();
             let here = |values: &[f64]| (0..nx * ny).map(|q| values[there(q)]).collect::<Vec<_>>();
             let mut window = Discretisation::new(grid.corner(nx, ny));
-            window.set_window(&whole, first);
+            window.set_window(&whole, |j| first + j * grid.nx());
             let previous_here = here(&previous);
             window.update_window(&oil, &here(&pressure), &here(&film), Some(&previous_here));
             let mut unfilled = 0;

@@ -14,8 +14,8 @@ pub(in crate::reynolds) const MARGIN: usize = 3;
 const HELD_COLUMNS: usize = 2;
 
 impl Discretisation {
-    /// Makes this a window of `whole` whose node 0 is the node `first` there.
-    pub(in crate::reynolds) fn set_window(&mut self, whole: &Self, first: usize) {
+    /// Makes this a window of `whole` whose row `j` begins at the node `first(j)` there.
+    pub(in crate::reynolds) fn set_window(&mut self, whole: &Self, first: impl Fn(usize) -> usize) {
         self.changes.forget();
         // Schemes and coefficients of the whole grid.
         self.face_mobility = whole.face_mobility;
@@ -31,9 +31,9 @@ impl Discretisation {
         let thinned = if whole.ratios.is_empty() { 0 } else { self.grid.len() };
         self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
         // Fields, row by row.
-        let (nx, stride) = (self.grid.nx(), whole.grid.nx());
+        let nx = self.grid.nx();
         for j in 0..self.grid.ny() {
-            let there = first + j * stride..first + j * stride + nx;
+            let there = first(j)..first(j) + nx;
             let here = j * nx..(j + 1) * nx;
             self.alignments[here.clone()].copy_from_slice(&whole.alignments[there.clone()]);
             self.coefficients[here.clone()].copy_from_slice(&whole.coefficients[there.clone()]);

@@ -1,7 +1,7 @@
 //! Products of the linear system against differences of its equations.
 
 use super::*;
-use crate::elastic::{DeformationModel, HalfSpace};
+use crate::elastic::{DeformationModel, HalfSpace, StripHalfSpace};
 use crate::lubricant::{DowsonHigginson, Lubricant, Rheology, Roelands, ThermalRoelands};
 use crate::reynolds::coupled::Changed;
 use crate::reynolds::inner_nodes::interior;
@@ -43,18 +43,28 @@ fn product_is_the_derivative_of_the_equations() {
             FaceMobility::Inlet,
         ] {
             for spin in [None, Some(35e-6), Some(-60e-6)] {
-                check_product(scheme, face_mobility, Cavitation::Reynolds, (None, false), spin);
-                check_product(scheme, face_mobility, Cavitation::MassConserving, (None, false), spin);
+                check_product(plane(), scheme, face_mobility, Cavitation::Reynolds, (None, false), spin);
+                check_product(
+                    plane(),
+                    scheme,
+                    face_mobility,
+                    Cavitation::MassConserving,
+                    (None, false),
+                    spin,
+                );
             }
-            check_product(scheme, face_mobility, Cavitation::MassConserving, (None, true), None);
+            for cavitation in [Cavitation::Reynolds, Cavitation::MassConserving] {
+                check_product(strip(), scheme, face_mobility, cavitation, (None, false), None);
+            }
+            check_product(plane(), scheme, face_mobility, Cavitation::MassConserving, (None, true), None);
             let laws = [Rheology::eyring(1e5), Rheology::eyring(1e7), Rheology::carreau(1e6, 0.5)];
             for law in laws {
                 let thinning = ShearThinning::new(law.unwrap(), 0.1).unwrap();
                 for is_warm in [false, true] {
                     let viscosity = (Some(thinning), is_warm);
-                    check_product(scheme, face_mobility, Cavitation::Reynolds, viscosity, None);
+                    check_product(plane(), scheme, face_mobility, Cavitation::Reynolds, viscosity, None);
                     let viscosity = (Some(thinning.directional()), is_warm);
-                    check_product(scheme, face_mobility, Cavitation::Reynolds, viscosity, None);
+                    check_product(plane(), scheme, face_mobility, Cavitation::Reynolds, viscosity, None);
                 }
             }
         }
@@ -112,20 +122,34 @@ fn rows_at(
     balances.chain(gaps).map(|film| film / unknowns.film_unit).chain([load]).collect()
 }
 
+fn plane() -> Grid {
+    Grid::centred(N, N, 4e-6, 4e-6).unwrap()
+}
+
+fn strip() -> Grid {
+    let edges = [0.0, 4e-6 * N as f64];
+    Grid::strip(N, N, edges, edges).unwrap()
+}
+
 fn check_product(
+    grid: Grid,
     scheme: Scheme,
     face_mobility: FaceMobility,
     cavitation: Cavitation,
     (shear_thinning, is_warm): (Option<ShearThinning>, bool),
     spin_radius: Option<f64>,
 ) {
-    let grid = Grid::centred(N, N, 4e-6, 4e-6).unwrap();
-    let (mut body, oil) = (HalfSpace::new(grid, 230e9).unwrap(), oil(&grid, is_warm));
+    let mut body: Box<dyn DeformationModel> = if grid.is_strip() {
+        Box::new(StripHalfSpace::new(grid, 230e9, 1e-2).unwrap())
+    } else {
+        Box::new(HalfSpace::new(grid, 230e9).unwrap())
+    };
+    let oil = oil(&grid, is_warm);
     let (mut seed, mut displaced, mut coupled) = (7, vec![0.0; grid.len()], Coupled::new(grid));
     let base = mixed_state(&grid, &mut coupled, &mut seed);
     body.displacement(&base.pressure, &mut displaced).unwrap();
     let gap: Vec<f64> = displaced.iter().map(|u| 20e-9 + 100e-9 * noise(&mut seed) - u).collect();
-    let mut problem = LubricatedContact::new(&gap, &mut body, 1.0, (1e-5, 1e-5), 1e9)
+    let mut problem = LubricatedContact::new(&gap, &mut *body, 1.0, (1e-5, 1e-5), 1e9)
         .with_lubricant(Some(&oil))
         .with_entrainment_speed(0.1)
         .with_film_cutoff(1e-9)
@@ -157,7 +181,7 @@ fn check_product(
         let difference = (up - down) / 0.2;
         assert!(
             (difference - f64::from(product[row])).abs() < 2e-6 * scale,
-            "{scheme:?}, {face_mobility:?}, {cavitation:?}, row {row} of {}: difference {difference:e}, product {:e}, scale {scale:e}",
+            "{grid:?}, {scheme:?}, {face_mobility:?}, {cavitation:?}, row {row} of {}: difference {difference:e}, product {:e}, scale {scale:e}",
             x.len(),
             product[row]
         );
