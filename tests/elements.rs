@@ -153,6 +153,32 @@ fn plane_pad_is_the_slider_of_textbooks_and_dimples_lower_its_load_and_friction(
     assert!(textured.friction_moving < plain.friction_moving);
 }
 
+/// The center of pressure of a wide pad that narrows by `1 + k : 1` is at `1 - (k (6 + k) - 2 (3 + 2 k) ln(1 + k))/(2 k ((2 + k) ln(1 + k) - 2 k))` of its
+/// length (Cameron), its load `6 eta u L^2/h^2 (ln(1 + k) - 2 k/(2 + k))/k^2`; the oil carries the power loss.
+#[test]
+fn tilting_pad_has_its_pivot_load_and_heat_balance() {
+    let text = std::fs::read_to_string(path("thrust_pad.toml")).unwrap();
+    let solve = |text: &str| RigidBearing::from_toml(text).unwrap().solve(|| false).unwrap().numbers;
+    let pad = solve(&text);
+    close("load", pad.load, 4000.0, 1e-5);
+    close("pivot", pad.pressure_center.unwrap(), 30e-3, 1e-4);
+    let leaving: f64 = pad.edge_flows.iter().map(|flow| flow.max(0.0)).sum();
+    let rise = pad.outlet_temperature.unwrap() - pad.supply_temperature.unwrap();
+    close("heat", 1.7e6 * leaving * rise, pad.power_loss, 0.01);
+    let wide: String =
+        text.lines().filter(|line| !line.starts_with("width")).map(|line| format!("{line}\n")).collect();
+    // Per metre of width.
+    let wide = solve(&wide.replace("4 kN", "1 MN/m"));
+    let [inlet, outlet] = [wide.inlet_film, wide.outlet_film].map(Option::unwrap);
+    let k = inlet / outlet - 1.0;
+    let log = (1.0 + k).ln();
+    let center =
+        1.0 - (k * (6.0 + k) - 2.0 * (3.0 + 2.0 * k) * log) / (2.0 * k * ((2.0 + k) * log - 2.0 * k));
+    close("center of a wide pad", center, 0.6, 0.002);
+    let load = 6.0 * wide.eta0 * 20.0 * (50e-3 / outlet).powi(2) * (log - 2.0 * k / (2.0 + k)) / (k * k);
+    close("load of a wide pad", wide.load, load, 0.01);
+}
+
 /// Without load the friction is that of Petroff; the eccentric axis adds `W c e sin(phi)/(2 R)` to the mean of both surfaces.
 #[test]
 fn journal_has_the_friction_of_petroff_and_of_its_load() {

@@ -41,11 +41,11 @@ fn inclined(outlet: f64, k: f64) -> [f64; 2] {
 fn pads_under_a_load_have_the_films_of_closed_forms() {
     for (outlet, k) in [(10e-6, 1.0), (20e-6, 1.19), (25e-6, 0.2), (15e-6, 5.0)] {
         let [load, center] = inclined(outlet, k);
-        let fixed = solve(&format!("kind = \"pad\"\nload = \"{load} N\"\ntaper = {}", k * outlet)).unwrap();
+        let fixed = solve(&format!("kind = \"pad\"\nload = \"{load} N/m\"\ntaper = {}", k * outlet)).unwrap();
         assert!((fixed.load / load - 1.0).abs() < 1e-5, "{fixed:?}");
         assert!((fixed.outlet_film.unwrap() / outlet - 1.0).abs() < 2e-4, "{outlet} {k}: {fixed:?}");
         assert!((fixed.pressure_center.unwrap() / center - 1.0).abs() < 1e-3, "{center}: {fixed:?}");
-        let tilting = solve(&format!("kind = \"pad\"\nload = \"{load} N\"\npivot = {center}")).unwrap();
+        let tilting = solve(&format!("kind = \"pad\"\nload = \"{load} N/m\"\npivot = {center}")).unwrap();
         let ratio = tilting.inlet_film.unwrap() / tilting.outlet_film.unwrap();
         assert!((tilting.load / load - 1.0).abs() < 1e-5, "{tilting:?}");
         assert!(((ratio - 1.0) / k - 1.0).abs() < 0.01, "{outlet} {k}: {tilting:?}");

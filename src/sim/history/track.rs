@@ -111,8 +111,8 @@ impl MixedLubricationSim {
         std::array::from_fn(|body| {
             let heights = self.bodies[body].surface();
             let visits = exposure::visits(self.surface_motion.motion.as_ref(), speeds[body]);
-            let is_worn = self.bodies[body].wear().iter().any(|depth| *depth > 0.0);
-            if is_worn && visits == PointRevisit::Permanent {
+            let is_worn = || self.bodies[body].wear().iter().any(|depth| *depth > 0.0);
+            if visits == PointRevisit::Permanent && is_worn() {
                 scar_rq(grid, &hertz.ellipse(), heights)
             } else {
                 track_rq(grid, hertz.half_extents()[1], heights)

@@ -193,8 +193,12 @@ fn dimension(path: &str, line: bool) -> Option<Dimension> {
 /// # Errors
 /// Text that is not a quantity of its key, a list in place of a table, a date; the error names the key.
 pub(super) fn convert(tables: &mut Table) -> Result<(), InputError> {
-    let kind = tables.get("form").and_then(|form| form.get("kind"));
-    let is_line = kind.and_then(Value::as_str) == Some("cylinder");
+    let kind_of = |table: &Value| table.get("kind").and_then(Value::as_str).map(str::to_owned);
+    let is_cylinder = tables.get("form").and_then(kind_of).as_deref() == Some("cylinder");
+    // A pad without width has a load per metre.
+    let is_wide =
+        |table: &Value| kind_of(table).as_deref() != Some("journal") && table.get("width").is_none();
+    let is_line = is_cylinder || tables.get("given_film").is_some_and(is_wide);
     tables.iter_mut().try_for_each(|(key, value)| convert_value(value, key, is_line))
 }
 

@@ -168,7 +168,7 @@ fn header(over: Axis, is_rough: bool) -> String {
     format!(
         "{:>11} {:>12} {:>12} {:>10} {:>10} {:>12} {:>10}{solids}",
         over.heading(false),
-        "load, N",
+        if over == Axis::Load { "p max, MPa" } else { "load, N" },
         "film, um",
         "friction",
         "power, W",
@@ -182,7 +182,7 @@ fn line(over: Axis, value: f64, numbers: &BearingNumbers) -> String {
     format!(
         "{} {:>12} {:12.4} {:10.5} {:10.4} {:12.4} {:10.2}{solids}",
         over.cell(value),
-        output::digits(numbers.load),
+        output::digits(if over == Axis::Load { 1e-6 * numbers.pressure_max } else { numbers.load }),
         1e6 * numbers.least_film,
         numbers.friction_coefficient,
         numbers.power_loss,

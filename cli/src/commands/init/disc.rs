@@ -24,7 +24,8 @@ const MOST_NODES: u32 = SQUARE * SQUARE;
 const SQUARE: u32 = 512;
 /// Keys of `[grid]` of a strip of a rough line contact: on a single row oil could not flow around asperities.
 pub(super) const STRIP: &str =
-    "across = \"periodic\" # a strip of the contact, five correlation lengths wide\nny = 20\n";
+    "across = \"periodic\" # a strip of the contact, five correlation lengths wide\n";
+/// Its rows.
 pub(super) const STRIP_ROWS: u32 = 20;
 /// Value of the autocorrelation at which a length is measured, and the length over `L` there.
 const THRESHOLD: f64 = 0.2;

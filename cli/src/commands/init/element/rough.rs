@@ -59,7 +59,9 @@ pub(super) fn roughened(options: &Init, name: &str, element: Element) -> Result<
         let cells = disc.cells(options.cells, inlet + outlet)?;
         disc.require_nodes(options.cells, [cells, STRIP_ROWS])?;
         let [inlet, outlet] = [inlet, outlet].map(length);
-        format!("{STRIP}nx = {cells}\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\n")
+        format!(
+            "{STRIP}ny = {STRIP_ROWS}\nnx = {cells}\nx = [\"-{inlet} um\", \"{outlet} um\"] # the oil flows along +x\n"
+        )
     };
     let estimate = if element.is_dry { "" } else { ESTIMATE };
     Ok(Element { grid: box_and_cells + &disc.tables(&options.file, HARDNESS)? + estimate, ..element })

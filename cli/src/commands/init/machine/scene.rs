@@ -150,7 +150,7 @@ fn grid(
         [options.cells.unwrap_or(cells), options.cells.unwrap_or(POINT_CELLS)]
     };
     if machine.is_line && is_rough {
-        text.push_str(STRIP);
+        writeln!(text, "{STRIP}ny = {STRIP_ROWS}")?;
     }
     writeln!(text, "nx = {along}")?;
     if !machine.is_line {
