@@ -237,7 +237,7 @@ fn scenes_have_holes_and_elastic_bores() {
 fn bearings_without_load_steep_dimples_and_hot_oils_warn() {
     let pad = |inlet: f64, more: &str, oil: &str| {
         let table = format!(
-            "kind = \"pad\"\nlength = \"10 mm\"\nwidth = \"10 mm\"\ninlet_film = {inlet}\noutlet_film = 5e-6\nspeed = 1.0\nnx = 40\nny = 40\n{more}"
+            "kind = \"pad\"\nlength = \"10 mm\"\nwidth = \"10 mm\"\ninlet_film = {inlet}\noutlet_film = 5e-6\nspeed = 1.0\nnx = 100\nny = 100\n{more}"
         );
         let fields = solved(&table, oil).unwrap().warnings;
         fields.iter().map(|warning| warning.field.clone()).collect::<Vec<_>>()
@@ -250,8 +250,11 @@ fn bearings_without_load_steep_dimples_and_hot_oils_warn() {
     assert_eq!(pad(5e-6, &format!("{shallow}cavitation_pressure = \"-1 bar\"\n"), OIL), ["load"]);
     let naphthenic = "[lubricant]\ngrade = \"ISO VG 32\"\nviscosity_index = -10\nalpha = 0\n";
     assert_eq!(pad(1e-5, "", naphthenic), ["lubricant.viscosity_index"]);
-    let dimples = "dimple_diameter = \"1 mm\"\ndimple_depth = \"0.2 mm\"\ndimple_density = 0.2\n";
+    let dimples = "dimple_diameter = \"2 mm\"\ndimple_depth = \"0.4 mm\"\ndimple_density = 0.2\n";
     assert_eq!(pad(1e-5, dimples, OIL), ["given_film.dimple_depth"]);
+    // Ten cells in a diameter.
+    let small = "dimple_diameter = \"1 mm\"\ndimple_depth = \"5 um\"\ndimple_density = 0.2\n";
+    assert_eq!(pad(1e-5, small, OIL), ["given_film.dimple_diameter"]);
     let hot = "[lubricant]\ngrade = \"ISO VG 460\"\nviscosity_index = 95\n[thermal]\nbulk_temperature = \"300 degC\"\n";
     assert_eq!(pad(1e-5, "", hot), ["temperature"]);
 }

@@ -304,7 +304,7 @@ fn bodies(options: &Options, answers: &Answers) -> Result<String, std::fmt::Erro
          [friction]\n\
          boundary_coefficient = 0.115 # where solids touch\n\
          eyring_stress = \"5 MPa\" # shear stress from which on the oil thins; leave the line out for a Newtonian oil",
-        oil::tables(options, answers)
+        oil::tables(options, [&answers.eta0, &answers.alpha])
     )?;
     Ok(text)
 }

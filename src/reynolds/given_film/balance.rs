@@ -23,6 +23,9 @@ use crate::numerics::STENCIL;
 /// Rounding error of a balance over its cancelling terms: that of the pressures and of their sums.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
+/// Relative shift of the diagonal of cavitated nodes of a periodic film: above the rounding errors of single precision.
+const PERIOD_SHIFT: f64 = 1e-6;
+
 /// Newton steps on the balance of one cell in a sweep.
 const LOCAL_STEPS: usize = 3;
 
@@ -405,6 +408,13 @@ impl<'a> Balance<'a> {
                 let first = j.checked_sub(1).map(|j| j * nx + i);
                 let second = if j < ny { Some(j * nx + i) } else { grid.is_strip().then_some(i) };
                 add(self.flow_across(i, j), first, second, 3);
+            }
+        }
+        // Film fractions of a period that is cavitated all around are determined up to a constant: a shift makes the step along
+        // that constant large, in the direction of the net flow into the period.
+        if self.is_periodic {
+            for (row, fluid) in stencil.chunks_exact_mut(STENCIL).zip(&self.fluids) {
+                row[0] *= 1.0 + PERIOD_SHIFT * fluid.theta_s;
             }
         }
         // A fed node keeps its pressure; its net outflow comes from the feed.

@@ -37,17 +37,13 @@ const MOST_STEPS: usize = 60;
 /// The film of a pad with a fixed `taper` under `load`.
 pub(super) fn fixed(pad: &Pad<'_>, load: f64, taper: f64) -> Result<BearingSolution, SimError> {
     InputError::require_positive("given_film.load", load)?;
-    InputError::require(taper.is_finite(), "given_film.taper", taper, "finite")?;
-    let films = |outlet: f64| [outlet + taper, outlet];
-    // A film that narrows against the motion has its least film at the inlet.
-    let search = Search {
-        pad,
-        load,
-        depth: taper.abs(),
-        is_parallel: taper == 0.0,
-        offset: (-taper).max(0.0),
-        films: &films,
-    };
+    InputError::require_non_negative("given_film.taper", taper)?;
+    let (bearing, films) = (pad.bearing, |outlet: f64| [outlet + taper, outlet]);
+    if taper == 0.0 && bearing.relief.is_none() && bearing.holes.is_none() && bearing.roughness.is_none() {
+        let reason = "parallel smooth surfaces carry no load; a taper above 0, or a pivot".to_owned();
+        return Err(InputError::Conflict { field: "given_film.taper = 0".to_owned(), reason }.into());
+    }
+    let search = Search { pad, load, depth: taper, is_parallel: taper == 0.0, films: &films };
     search.solve(first_film(pad, load))
 }
 
@@ -60,8 +56,7 @@ pub(super) fn pivoted(pad: &Pad<'_>, load: f64, pivot: f64) -> Result<BearingSol
     let mut at = |ratio: f64| {
         let ratio = 1.0 + ratio.exp();
         let films = |outlet: f64| [ratio * outlet, outlet];
-        let solution =
-            Search { pad, load, depth: 0.0, is_parallel: false, offset: 0.0, films: &films }.solve(film)?;
+        let solution = Search { pad, load, depth: 0.0, is_parallel: false, films: &films }.solve(film)?;
         film = solution.numbers.outlet_film.unwrap_or(film);
         let center = solution.numbers.pressure_center.unwrap_or(f64::NAN);
         Ok::<_, SimError>((solution, (center - pivot) / pad.length))
@@ -90,18 +85,17 @@ pub(super) fn pivoted(pad: &Pad<'_>, load: f64, pivot: f64) -> Result<BearingSol
 
 /// Error for a pivot beyond the center of pressure of the last film.
 fn out_of_reach(pivot: f64, last: &BearingSolution) -> InputError {
-    let [inlet, outlet, center] =
-        [last.numbers.inlet_film, last.numbers.outlet_film, last.numbers.pressure_center]
-            .map(|value| value.unwrap_or(f64::NAN));
+    let numbers = &last.numbers;
+    let [inlet, outlet] =
+        [numbers.inlet_film, numbers.outlet_film].map(|film| 1e6 * film.unwrap_or(f64::NAN));
+    let center = 1e3 * numbers.pressure_center.unwrap_or(f64::NAN);
+    let (change, side) = if center > 1e3 * pivot { ("less", "behind") } else { ("more", "before") };
     InputError::Conflict {
         field: "given_film.pivot".to_owned(),
         reason: format!(
-            "{:.4} mm behind the inlet: the center of pressure is {:.4} mm behind it for a film that narrows from {:.4} to {:.4} um; a pivot \
-             behind the middle of the pad and before its outlet",
-            1e3 * pivot,
-            1e3 * center,
-            1e6 * inlet,
-            1e6 * outlet
+            "{:.4} mm behind the inlet: a film that narrows from {inlet:.4} to {outlet:.4} um has its center of pressure {center:.4} mm behind it, and \
+             no film that narrows {change} carries the load; a pivot {side} that, or another load",
+            1e3 * pivot
         ),
     }
 }
@@ -121,8 +115,6 @@ struct Search<'a> {
     depth: f64,
     /// Whether the films at both ends are the same.
     is_parallel: bool,
-    /// Film at the outlet less the thinner one at the inlet \[m\].
-    offset: f64,
     /// Films at inlet and outlet, from that at the outlet.
     films: &'a dyn Fn(f64) -> [f64; 2],
 }
@@ -130,7 +122,7 @@ struct Search<'a> {
 impl Search<'_> {
     /// The solution at the logarithm of the thinner film, and the logarithm of its load over the given one.
     fn at(&self, film: f64) -> Result<(BearingSolution, f64), SimError> {
-        let solution = self.pad.solve((self.films)(film.exp() + self.offset))?;
+        let solution = self.pad.solve((self.films)(film.exp()))?;
         let excess = (solution.numbers.load / self.load).max(LEAST_RATIO).ln();
         Ok((solution, excess))
     }
@@ -185,8 +177,8 @@ impl Search<'_> {
             )
         } else if self.is_parallel {
             format!(
-                "this pad carries {carried:.6} N{per} at a film of {film:.3e} m: parallel surfaces have no pressure, and dimples only where the oil \
-                 cavitates below ambient, around a ring (periodic); a taper above 0, a pivot, or holes"
+                "the pad carries {carried:.6} N{per} at a film of {film:.3e} m, and thinner films no more: the dimples of parallel surfaces carry little, and \
+                 only around a ring (periodic) whose oil cavitates below ambient; a smaller load, a taper above 0, or a pivot"
             )
         } else {
             format!(

@@ -7,6 +7,7 @@
 use super::{BearingSolution, RigidBearing};
 use crate::error::InputError;
 use crate::numerics::FalsePosition;
+use crate::sim::contact::warnings::reject_oil_temperature;
 use crate::sim::error::SimError;
 use crate::sim::scene::{BearingSpec, HeatBalance};
 
@@ -25,6 +26,7 @@ pub(super) fn solve(
 ) -> Result<BearingSolution, SimError> {
     let supply = balance.supply_temperature;
     InputError::require_positive("given_film.supply_temperature", supply)?;
+    reject_oil_temperature("given_film.supply_temperature", supply)?;
     InputError::require_positive("given_film.heat_capacity", balance.heat_capacity)?;
     let share = balance.share;
     let requirement = "above 0 and at most 1: the share of the power loss that the oil carries";

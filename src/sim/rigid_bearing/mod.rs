@@ -20,7 +20,9 @@ use crate::lubricant::Lubricant;
 use crate::report::Status;
 use crate::reynolds::{ElasticBore, GivenFilmSolution, MeanRoughness, ReynoldsError};
 use crate::sim::contact::oil;
-use crate::sim::contact::warnings::{Warning, bearing_warnings, turbulent_film, unsolved_bearing};
+use crate::sim::contact::warnings::{
+    Warning, bearing_warnings, reject_oil_temperature, turbulent_film, unsolved_bearing,
+};
 use crate::sim::error::SimError;
 use crate::sim::scene::{
     BearingFile, BearingSpec, Document, GrooveSpec, HeatBalance, HoleSpec, LubricantSpec, PadRelief,
@@ -135,6 +137,7 @@ impl RigidBearing {
         let mut solution = match &self.heat {
             None => {
                 InputError::require_positive("thermal.bulk_temperature", self.temperature)?;
+                reject_oil_temperature("thermal.bulk_temperature", self.temperature)?;
                 self.solve_at(self.temperature, &interrupted)?
             }
             Some(balance) => heat::solve(self, balance, &interrupted)?,

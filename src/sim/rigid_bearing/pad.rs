@@ -5,7 +5,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::{Feed, GivenFilm, GivenFilmSolution, require_resolved_holes};
-use crate::sim::contact::warnings::film_warnings;
+use crate::sim::contact::warnings::{coarse_dimples, film_warnings, reject_film_units};
 use crate::sim::error::SimError;
 use crate::sim::scene::{PadFilm, PadRelief};
 
@@ -33,6 +33,10 @@ impl Pad<'_> {
     /// Solves the pad with its `film`.
     pub(super) fn solve_with(&self, film: PadFilm) -> Result<BearingSolution, SimError> {
         InputError::require_positive("given_film.length", self.length)?;
+        if self.is_wide && matches!(self.bearing.relief, Some(PadRelief::File { .. })) {
+            let reason = "heights need the `width` of the pad".to_owned();
+            return Err(InputError::Conflict { field: "given_film.heights".to_owned(), reason }.into());
+        }
         InputError::require_positive("given_film.width", self.width)?;
         require_speed(self.speed)?;
         if let Some(step) = self.step {
@@ -43,6 +47,7 @@ impl Pad<'_> {
             PadFilm::Given { inlet, outlet } => {
                 InputError::require_positive("given_film.inlet_film", inlet)?;
                 InputError::require_positive("given_film.outlet_film", outlet)?;
+                reject_film_units([inlet, outlet])?;
                 self.solve([inlet, outlet])
             }
             PadFilm::Fixed { load, taper } => equilibrium::fixed(self, load, taper),
@@ -64,7 +69,7 @@ impl Pad<'_> {
             None => inlet + (outlet - inlet) * x / length,
         };
         let grid = Grid::from_edges(bearing.cells[0], bearing.cells[1], [0.0, length], [0.0, self.width])?;
-        let film = relief::film(bearing.relief.as_ref(), grid, &thickness)?;
+        let film = relief::film((bearing.relief.as_ref(), bearing.is_periodic), grid, &thickness)?;
         let feeds = self.holes(grid)?;
         let problem = GivenFilm::new(&film, self.lubricant, [self.speed, 0.0])
             .with_edge_pressures(bearing.edge_pressures)
@@ -73,7 +78,8 @@ impl Pad<'_> {
             .with_feeds(&feeds)
             .with_roughness(bearing.mean_roughness()?);
         let solved = problem.solve_unless(self.interrupted).map_err(in_table)?;
-        let warnings = film_warnings(&problem, &solved, true);
+        let mut warnings = film_warnings(&problem, &solved, true);
+        warnings.extend(coarse_dimples(bearing.relief.as_ref(), grid));
         let nodes = film.nodes();
         let least = if bearing.relief.is_some() {
             nodes.iter().copied().fold(f64::INFINITY, f64::min)
@@ -85,7 +91,9 @@ impl Pad<'_> {
         let ambient = bearing.least_edge_pressure();
         numbers.load_above_edges = (ambient > 0.0).then_some(solved.load - ambient * length * self.width);
         (numbers.inlet_film, numbers.outlet_film) = (Some(inlet), Some(outlet));
-        numbers.pressure_center = (numbers.load > 0.0).then(|| center(&solved));
+        // A ring has no inlet, and pressures that cancel have no center within the pad.
+        let center = (numbers.load > 0.0 && !bearing.is_periodic).then(|| center(&solved));
+        numbers.pressure_center = center.filter(|center| (0.0..=length).contains(center));
         Ok(BearingSolution { numbers, thickness: nodes.to_vec(), film: solved, warnings })
     }
 

@@ -16,16 +16,16 @@ const ROUNDING: f64 = 1e-9;
 /// Fewest cells along the diameter of a dimple.
 const CELLS_IN_DIMPLE: f64 = 4.0;
 
-/// The film of `thickness` over x, plus the depth of the relief.
+/// The film of `thickness` over x, plus the depth of the relief, which may repeat along the motion.
 pub(super) fn film(
-    relief: Option<&PadRelief>,
+    (relief, is_periodic): (Option<&PadRelief>, bool),
     grid: Grid,
     thickness: &dyn Fn(f64) -> f64,
 ) -> Result<FilmThickness, SimError> {
     Ok(match relief {
         None => FilmThickness::from_function(grid, |x, _| thickness(x))?,
         Some(&PadRelief::Dimples { diameter, depth, density }) => {
-            let dimples = Dimples::new(grid, [diameter, depth, density])?;
+            let dimples = Dimples::new(grid, [diameter, depth, density], is_periodic)?;
             FilmThickness::from_function(grid, |x, y| thickness(x) + dimples.depth_at(x, y))?
         }
         Some(PadRelief::File { path, spacing }) => {
@@ -42,15 +42,16 @@ pub(super) fn film(
 struct Dimples {
     diameter: f64,
     depth: f64,
-    pitch: f64,
+    /// Distances of their middles along x and y \[m\].
+    pitch: [f64; 2],
     /// Corner of the lattice \[m\] and its cells along x and y.
     corner: [f64; 2],
     count: [f64; 2],
 }
 
 impl Dimples {
-    /// Dimples of `[diameter, depth, density]`.
-    fn new(grid: Grid, [diameter, depth, density]: [f64; 3]) -> Result<Self, InputError> {
+    /// Dimples of `[diameter, depth, density]`; around a ring their distance divides the length.
+    fn new(grid: Grid, [diameter, depth, density]: [f64; 3], is_periodic: bool) -> Result<Self, InputError> {
         InputError::require_positive("given_film.dimple_diameter", diameter)?;
         InputError::require_positive("given_film.dimple_depth", depth)?;
         InputError::require(
@@ -77,16 +78,18 @@ impl Dimples {
                 ),
             ));
         }
-        let pitch = diameter * (0.25 * PI / density).sqrt();
-        let count = size.map(|size| (size / pitch + ROUNDING).floor());
+        let square = diameter * (0.25 * PI / density).sqrt();
+        let along = if is_periodic { size[0] / (size[0] / square).round().max(1.0) } else { square };
+        let pitch = [along, square * square / along];
+        let count = [0, 1].map(|k| (size[k] / pitch[k] + ROUNDING).floor());
         if count[0] < 1.0 || count[1] < 1.0 {
             return Err(conflict(
                 "dimple_density",
-                format!("the pitch of {pitch:.3e} m exceeds the pad; smaller or denser dimples"),
+                format!("the pitch of {square:.3e} m exceeds the pad; smaller or denser dimples"),
             ));
         }
         let first = [grid.x(0) - 0.5 * grid.dx(), grid.y(0) - 0.5 * grid.dy()];
-        let corner = [0, 1].map(|k| first[k] + 0.5 * (size[k] - count[k] * pitch));
+        let corner = [0, 1].map(|k| first[k] + 0.5 * (size[k] - count[k] * pitch[k]));
         Ok(Self { diameter, depth, pitch, corner, count })
     }
 
@@ -94,11 +97,11 @@ impl Dimples {
     fn depth_at(&self, x: f64, y: f64) -> f64 {
         let mut distance = 0.0;
         for (place, k) in [x, y].into_iter().zip(0..) {
-            let cells = (place - self.corner[k]) / self.pitch;
+            let cells = (place - self.corner[k]) / self.pitch[k];
             if cells < 0.0 || cells >= self.count[k] {
                 return 0.0;
             }
-            distance += ((cells.fract() - 0.5) * self.pitch).powi(2);
+            distance += ((cells.fract() - 0.5) * self.pitch[k]).powi(2);
         }
         self.depth * (1.0 - 4.0 * distance / (self.diameter * self.diameter)).max(0.0)
     }

@@ -124,6 +124,12 @@ struct PadTable {
     hole_positions: Option<Vec<f64>>,
 }
 
+/// Cells along the diameter of a dimple by default. Around a ring of dimples of 5 um, on 5 to 10 times as many nodes the load differs by
+/// 1 % at films of 2 um and by 15 % at 1 um.
+pub(in crate::sim) const CELLS_IN_DIMPLE: f64 = 20.0;
+/// Most cells along a side by default.
+const MOST_CELLS: usize = 512;
+
 /// Heat capacity of a volume of mineral oil \[J/(m^3 K)\].
 const OIL_HEAT_CAPACITY: f64 = 1.7e6;
 
@@ -131,7 +137,17 @@ impl BearingTable {
     /// Cells along and across the motion.
     pub(in crate::sim) fn cells(&self) -> [usize; 2] {
         let is_row = !matches!(self.kind, BearingKind::Journal(_)) && self.width.is_none();
-        [self.nx.unwrap_or(180), if is_row { 1 } else { self.ny.unwrap_or(40) }]
+        let dimple = self.pad().and_then(|pad| pad.dimple_diameter).filter(|diameter| *diameter > 0.0);
+        // Dimples need cells of their own.
+        let usual = |least: usize, size: Option<f64>| match (dimple, size) {
+            (Some(diameter), Some(size)) => {
+                ((CELLS_IN_DIMPLE * size / diameter).ceil() as usize).clamp(least, MOST_CELLS)
+            }
+            _ => least,
+        };
+        let length = self.pad().map(|pad| pad.length);
+        let [nx, ny] = [usual(180, length), usual(40, self.width)];
+        [self.nx.unwrap_or(nx), if is_row { 1 } else { self.ny.unwrap_or(ny) }]
     }
 
     /// Pressures at inlet, outlet and both sides of a pad.

@@ -71,7 +71,7 @@ pub use given_film::{
     BearingSpec, GrooveSpec, HeatBalance, HoleSpec, JournalPosition, PadFilm, PadRelief, RoughnessSpec,
 };
 #[cfg(feature = "serde")]
-pub(in crate::sim) use given_film_table::BearingFile;
+pub(in crate::sim) use given_film_table::{BearingFile, CELLS_IN_DIMPLE};
 pub use grid::GridSpec;
 pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};

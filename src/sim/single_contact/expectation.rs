@@ -75,7 +75,7 @@ pub struct ExpectedFilm {
     /// Load ratio by the inlets of asperities ([`MixedLoadShare`]); zero for a full film between smooth bodies,
     /// `None` where no formula holds.
     pub load_ratio: Option<f64>,
-    /// Inlet number of the asperities ([`MixedLoadShare::inlet_number`]); `None` where they do not decide the load ratio.
+    /// Inlet number of the asperities ([`MixedLoadShare::inlet_number`]); `None` for smooth bodies and where no formula holds.
     pub inlet_number: Option<f64>,
     /// Smallest and largest load ratio of solutions at this inlet number; `None` where no formula holds.
     pub load_ratio_range: Option<[f64; 2]>,
@@ -276,13 +276,13 @@ impl MixedLubricationSim {
         let at = |factor: f64| MixedLoadShare { correlation_length: factor * length, ..inlets }.load_ratio();
         let (share, least, most) = (at(1.0)?, at(above)?, at(below)?);
         let [_, most_smooth] = smooth_range;
+        let inlet_number = Some(inlets.inlet_number()?);
         Ok(Some(if most_smooth > most {
-            LoadShare { range: [least, most_smooth], ..LoadShare::default() }
+            LoadShare { range: [least, most_smooth], inlet_number, ..LoadShare::default() }
         } else {
             let at_film =
                 |factor: f64| MixedLoadShare { contact_film: factor * contact_film, ..inlets }.load_ratio();
             let by_contact_film = Some([at_film(0.5)?, at_film(2.0)?]);
-            let inlet_number = Some(inlets.inlet_number()?);
             LoadShare { share: Some(share), range: [least, most], inlet_number, by_contact_film }
         }))
     }

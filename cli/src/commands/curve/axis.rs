@@ -96,8 +96,8 @@ impl Axis {
     }
 
     /// Label in the picture of a rigid bearing, one surface of which moves.
-    pub(super) fn bearing_label(self) -> &'static str {
-        if self == Self::Speed { "speed of the moving surface (m/s)" } else { self.label(false) }
+    pub(super) fn bearing_label(self, is_wide: bool) -> &'static str {
+        if self == Self::Speed { "speed of the moving surface (m/s)" } else { self.label(is_wide) }
     }
 
     /// Whether values are spread over their logarithms.

@@ -30,13 +30,14 @@ pub(super) fn run(options: &Options, mut bearing: RigidBearing) -> Result<Outcom
     refuse_options(options)?;
     let in_scene = |error: &SimError| output::in_scene(&options.scene, error);
     let own = own_value(&bearing, options.over).map_err(|error| in_scene(&error.into()))?;
-    let values = options.over.spread(options, false, own)?;
+    let is_wide = matches!(bearing.bearing, BearingSpec::Pad { width: None, .. });
+    let values = options.over.spread(options, is_wide, own)?;
     let name = format!("{}_{}", output::stem(&options.scene), options.over.file_ending());
-    let mut curve = Curve::begin(options, bearing.roughness.is_some(), &name)?;
+    let mut curve = Curve::begin(options, [bearing.roughness.is_some(), is_wide], &name)?;
     interrupt::listen("the curve ends here and keeps its finished points")?;
     for value in values {
         set(&mut bearing, options.over, value);
-        let words = options.over.words(value, false);
+        let words = options.over.words(value, is_wide);
         match solve(options, &bearing, &words, &mut curve)? {
             Solved::Point(solution) => curve.add(value, &solution)?,
             Solved::LeftOut(status) => curve.left_out = curve.left_out.or(Some(status)),
@@ -86,7 +87,12 @@ fn solve(
 fn own_value(bearing: &RigidBearing, over: Axis) -> Result<[f64; 2], InputError> {
     let refused = |reason: &str| {
         Err(InputError::Conflict {
-            field: format!("--over {}", if over == Axis::Load { "load" } else { "slide_roll_ratio" }),
+            field: match over {
+                Axis::Load => "--over load",
+                Axis::Temperature => "--over temperature",
+                _ => "--over slide_roll_ratio",
+            }
+            .to_owned(),
             reason: reason.to_owned(),
         })
     };
@@ -101,6 +107,9 @@ fn own_value(bearing: &RigidBearing, over: Axis) -> Result<[f64; 2], InputError>
         ) => Ok(LOADS.map(|factor| factor * load)),
         (Axis::Load, _) => refused(
             "the load of this bearing follows from its film; a bearing with `load` has a curve over it",
+        ),
+        (Axis::Temperature, _) if !bearing.has_thermal_oil() && bearing.heat.is_none() => refused(
+            "the viscosity of this oil does not depend on temperature; a grade and its viscosity_index",
         ),
         (Axis::Temperature, _) => Ok(super::axis::TEMPERATURES),
         _ => refused("one surface of a rigid bearing is at rest; --over speed, load or temperature"),

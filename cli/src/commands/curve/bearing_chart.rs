@@ -63,8 +63,13 @@ const QUANTITIES: [Quantity; 5] = [
     },
 ];
 
+/// The label of `quantity`; a wide pad has its power per metre.
+fn label(quantity: &Quantity, is_wide: bool) -> &'static str {
+    if is_wide && quantity.key == "power_loss" { "power loss (W/m)" } else { quantity.label }
+}
+
 /// A panel for each quantity of the `points` over `over`.
-pub(super) fn chart(scene: &Path, over: Axis, points: &[(f64, BearingNumbers)]) -> Chart {
+pub(super) fn chart(scene: &Path, (over, is_wide): (Axis, bool), points: &[(f64, BearingNumbers)]) -> Chart {
     let panels = QUANTITIES.iter().filter_map(|quantity| {
         let [factor, offset] = quantity.scale;
         let place = |at: f64| if over.is_logarithmic() { at.log10() } else { over.shown(at) };
@@ -75,15 +80,15 @@ pub(super) fn chart(scene: &Path, over: Axis, points: &[(f64, BearingNumbers)]) 
         let lines = vec![Line { name: "", colour: BLUE, points, bands: Vec::new() }];
         lines.iter().any(|line| !line.points.is_empty()).then(|| {
             if is_logarithmic {
-                Panel::logarithmic(quantity.label, lines)
+                Panel::logarithmic(label(quantity, is_wide), lines)
             } else {
-                Panel::new(quantity.label, lines)
+                Panel::new(label(quantity, is_wide), lines)
             }
         })
     });
     Chart {
         title: format!("{} {}", over.title(), output::stem(scene)),
-        x_label: over.bearing_label(),
+        x_label: over.bearing_label(is_wide),
         x_scale: if over.is_logarithmic() { Scale::Decades } else { Scale::Linear },
         upper: None,
         panels: panels.collect(),
@@ -91,13 +96,14 @@ pub(super) fn chart(scene: &Path, over: Axis, points: &[(f64, BearingNumbers)]) 
 }
 
 /// The table of the curve `numbers`, its JSON object.
-pub(super) fn table(over: Axis, numbers: &Value) -> String {
+pub(super) fn table((over, is_wide): (Axis, bool), numbers: &Value) -> String {
     let offset = if over == Axis::Temperature { -273.15 } else { 0.0 };
     let column = |label: &'static str, key: &'static str, [factor, offset]: [f64; 2]| {
         let (name, unit) = label.split_once(" (").unwrap_or((label, ""));
         Number { name, key, unit: unit.trim_end_matches(')'), factor, offset, error: ErrorOf::None }
     };
-    let others = QUANTITIES.iter().map(|quantity| column(quantity.label, quantity.key, quantity.scale));
-    let columns = std::iter::once(column(over.bearing_label(), "over", [1.0, offset])).chain(others);
+    let others =
+        QUANTITIES.iter().map(|quantity| column(label(quantity, is_wide), quantity.key, quantity.scale));
+    let columns = std::iter::once(column(over.bearing_label(is_wide), "over", [1.0, offset])).chain(others);
     rows(numbers, "points", &columns.collect::<Vec<_>>(), ROWS)
 }

@@ -46,6 +46,7 @@ pub(super) struct Curve<'a> {
     file: File,
     columns: Vec<&'static Column>,
     is_rough: bool,
+    is_wide: bool,
     points: Vec<(f64, BearingNumbers)>,
     /// Fields of the warnings that were printed.
     said: Vec<String>,
@@ -56,8 +57,12 @@ pub(super) struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    /// Opens the table and checks that picture and report can be written.
-    pub(super) fn begin(options: &'a Options, is_rough: bool, name: &str) -> Result<Self, Box<dyn Error>> {
+    /// Opens the table and checks that picture and report can be written; a wide pad has forces, flows and powers per metre.
+    pub(super) fn begin(
+        options: &'a Options,
+        [is_rough, is_wide]: [bool; 2],
+        name: &str,
+    ) -> Result<Self, Box<dyn Error>> {
         let out = &options.output.out;
         options.report.claim(&options.scene, options.output.force)?;
         let path = out.join(format!("{name}.csv"));
@@ -68,14 +73,37 @@ impl<'a> Curve<'a> {
         files::make_folder(out)?;
         files::claim(&targets, options.output.force, output::OTHER_FOLDER)?;
         let mut file = File::create(&path).map_err(|error| files::named(&path, &error))?;
-        let over = options.over.column(false);
+        let over = options.over.column(is_wide);
         let rough = ROUGH_COLUMNS.iter().filter(|_| is_rough);
-        let columns: Vec<_> = COLUMNS.iter().chain(rough).filter(|(name, _)| *name != over).collect();
-        let names = columns.iter().map(|(name, _)| *name);
-        writeln!(file, "{}", [over].into_iter().chain(names).collect::<Vec<_>>().join(","))?;
+        let columns: Vec<_> = COLUMNS
+            .iter()
+            .chain(rough)
+            .filter(|(name, _)| options.over != Axis::Load || *name != "load_N")
+            .collect();
+        let per = if is_wide { "_per_m" } else { "" };
+        let name_of = |(name, _): &&Column| match *name {
+            "load_N" | "friction_N" | "contact_friction_N" | "power_loss_W" | "side_flow_m3_s" => {
+                format!("{name}{per}")
+            }
+            name => name.to_owned(),
+        };
+        let names = columns.iter().map(name_of);
+        writeln!(file, "{}", [over.to_owned()].into_iter().chain(names).collect::<Vec<_>>().join(","))?;
         let (points, said, warnings) = (Vec::new(), Vec::new(), Vec::new());
         let (left_out, is_interrupted) = (None, false);
-        Ok(Self { options, path, file, columns, is_rough, points, said, warnings, left_out, is_interrupted })
+        Ok(Self {
+            options,
+            path,
+            file,
+            columns,
+            is_rough,
+            is_wide,
+            points,
+            said,
+            warnings,
+            left_out,
+            is_interrupted,
+        })
     }
 
     /// Prints the point and appends it to the table.
@@ -86,7 +114,7 @@ impl<'a> Curve<'a> {
         writeln!(self.file, "{}", cells.join(","))?;
         if !self.options.output.json {
             if self.points.is_empty() {
-                output::print(&header(self.options.over, self.is_rough))?;
+                output::print(&header(self.options.over, [self.is_rough, self.is_wide]))?;
             }
             let warned: Vec<String> = solution.warnings.iter().map(|warning| warning.field.clone()).collect();
             output::print(&(line(self.options.over, value, numbers) + &mark(&warned)))?;
@@ -127,9 +155,8 @@ impl<'a> Curve<'a> {
             Ok(numbers)
         };
         let points = self.points.iter().map(point).collect::<Result<Vec<Value>, serde_json::Error>>()?;
-        let numbers =
-            json!({ "over": over.column(false), "points": points, "version": env!("CARGO_PKG_VERSION") });
-        let chart = bearing_chart::chart(scene, *over, &self.points);
+        let numbers = json!({ "over": over.column(self.is_wide), "points": points, "version": env!("CARGO_PKG_VERSION") });
+        let chart = bearing_chart::chart(scene, (*over, self.is_wide), &self.points);
         let mut written = vec![self.path.clone()];
         if to.plot {
             written.extend(picture::write(&chart, &to.out, name)?);
@@ -144,7 +171,7 @@ impl<'a> Curve<'a> {
                 report.end_early("interrupted");
             }
             report.warn(self.warnings.iter().cloned());
-            report.table(&bearing_chart::table(*over, &numbers));
+            report.table(&bearing_chart::table((*over, self.is_wide), &numbers));
             report.chart(&chart)?;
             report.write(path)?;
             written.push(path.clone());
@@ -163,15 +190,16 @@ fn cell(number: f64) -> String {
     if number.is_nan() { String::new() } else { format!("{number:e}") }
 }
 
-fn header(over: Axis, is_rough: bool) -> String {
+fn header(over: Axis, [is_rough, is_wide]: [bool; 2]) -> String {
+    let [load, power] = if is_wide { ["load, N/m", "power, W/m"] } else { ["load, N", "power, W"] };
     let solids = if is_rough { "   solids, %" } else { "" };
     format!(
         "{:>11} {:>12} {:>12} {:>10} {:>10} {:>12} {:>10}{solids}",
-        over.heading(false),
-        if over == Axis::Load { "p max, MPa" } else { "load, N" },
+        over.heading(is_wide),
+        if over == Axis::Load { "p max, MPa" } else { load },
         "film, um",
         "friction",
-        "power, W",
+        power,
         "sides, ml/s",
         "oil, degC"
     )

@@ -77,6 +77,15 @@ pub(super) fn answers(
     Ok(Answers { radius, load, eta0, alpha, speed, slide_roll_ratio, disc })
 }
 
+/// Viscosity and pressure-viscosity coefficient of the options, or the usual ones.
+pub(super) fn oil(options: &Options) -> Result<[Quantity; 2], Box<dyn Error>> {
+    let quantity = |(_, key, default, dimension): Question, option: &Option<String>| {
+        let text = option.clone().unwrap_or_else(|| default.to_owned());
+        checked(key, dimension, &text).map(|value| Quantity { text, value })
+    };
+    Ok([quantity(ETA0, &options.eta0)?, quantity(ALPHA, &options.alpha)?])
+}
+
 /// The disc that the options describe; `None` without such an option.
 pub(super) fn disc(options: &Options) -> Result<Option<Disc>, Box<dyn Error>> {
     Ok(Some(match (&options.roughness, options.finish, &options.surface) {

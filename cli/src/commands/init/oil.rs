@@ -1,6 +1,6 @@
 //! The oil of a new scene: by its viscosity and pressure-viscosity coefficient, or by its grade.
 
-use super::answers::Answers;
+use super::quantity::Quantity;
 use super::{Options, plain};
 
 /// Viscosity index of a paraffinic mineral oil.
@@ -8,8 +8,8 @@ const USUAL_INDEX: f64 = 95.0;
 /// Temperature of an oil by its grade \[K\].
 const USUAL_TEMPERATURE: f64 = 313.15;
 
-/// The tables of the oil and of its temperature.
-pub(super) fn tables(options: &Options, answers: &Answers) -> String {
+/// The tables of the oil, of viscosity and pressure-viscosity coefficient `[eta0, alpha]` without a grade, and of its temperature.
+pub(super) fn tables(options: &Options, [eta0, alpha]: [&Quantity; 2]) -> String {
     let head = "[lubricant] # leave the table out for a dry contact\n";
     match &options.grade {
         Some(grade) => format!(
@@ -23,8 +23,8 @@ pub(super) fn tables(options: &Options, answers: &Answers) -> String {
             "{head}eta0 = {} # viscosity at ambient pressure and the temperature of the contact\n\
              alpha = {} # pressure-viscosity coefficient\n\
              roelands_z = 0.68 # how the viscosity bends at high pressure; 0.6 to 0.7 for mineral oils\n",
-            answers.eta0.entry(),
-            answers.alpha.entry()
+            eta0.entry(),
+            alpha.entry()
         ),
     }
 }

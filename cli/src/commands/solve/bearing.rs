@@ -16,6 +16,11 @@ use crate::picture;
 use crate::report::{self, Report};
 use crate::{files, interrupt};
 
+/// Flow over the largest one below which it is rounding.
+const ROUNDING: f64 = 1e-9;
+/// Flow below which it is printed in ul/s \[m^3/s\].
+const SMALL_FLOW: f64 = 1e-8;
+
 pub(super) fn run(options: &Options, bearing: &RigidBearing) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
     if let Some(path) = &options.fields {
@@ -141,23 +146,31 @@ fn solids(numbers: &BearingNumbers, per: &str) -> Option<String> {
     ))
 }
 
-/// Flows through the edges, and from grooves.
+/// A flow \[m^3/s\] in ml/s, or in ul/s if it is small.
+fn flow(value: f64, per: &str) -> String {
+    if value != 0.0 && value.abs() < SMALL_FLOW {
+        format!("{:.4} ul/s{per}", 1e9 * value)
+    } else {
+        format!("{:.4} ml/s{per}", 1e6 * value)
+    }
+}
+
+/// Flows through the edges, and from grooves and holes.
 fn flows(bearing: &RigidBearing, numbers: &BearingNumbers, per: &str) -> Vec<String> {
-    let [start, end, left, right] = numbers.edge_flows.map(|flow| 1e6 * flow);
-    let holes = numbers.hole_flow.map(|flow| format!("holes      {:.4} ml/s", 1e6 * flow));
+    let largest = numbers.edge_flows.iter().fold(0.0_f64, |most, flow| most.max(flow.abs()));
+    // Smaller ones are rounding.
+    let flow = |value: f64| flow(if value.abs() < ROUNDING * largest { 0.0 } else { value }, per);
+    let [start, end, left, right] = numbers.edge_flows;
+    let sides = format!("{}: {} and {}", flow(left + right), flow(left), flow(right));
+    let holes = numbers.hole_flow.map(|holes| format!("holes      {}", flow(holes)));
     if matches!(bearing.bearing, BearingSpec::Journal { .. }) {
-        let mut lines = vec![format!("side flow  {:.4} ml/s: {left:.4} and {right:.4} ml/s", left + right)];
-        lines.extend(numbers.groove_flow.map(|flow| format!("grooves    {:.4} ml/s", 1e6 * flow)));
+        let mut lines = vec![format!("side flow  {sides}")];
+        lines.extend(numbers.groove_flow.map(|grooves| format!("grooves    {}", flow(grooves))));
         lines.extend(holes);
         return lines;
     }
-    let along =
-        format!("flow       {:.4} ml/s{per} in at the inlet, {end:.4} ml/s{per} out at the outlet", -start);
-    let sides = if per.is_empty() {
-        format!("; {:.4} ml/s out through the sides: {left:.4} and {right:.4} ml/s", left + right)
-    } else {
-        String::new()
-    };
+    let along = format!("flow       {} in at the inlet, {} out at the outlet", flow(-start), flow(end));
+    let sides = if per.is_empty() { format!("; out through the sides {sides}") } else { String::new() };
     std::iter::once(format!("{along}{sides}")).chain(holes).collect()
 }
 

@@ -3,9 +3,11 @@
 use super::Warning;
 use super::given_film::{ISOVISCOUS, LARGEST_RISE};
 use super::limits::{negative_index, steep_dimples};
-use super::quantity::OIL_TEMPERATURE;
+use super::quantity::{GIVEN_FILM, OIL_TEMPERATURE};
+use crate::error::InputError;
+use crate::grid::Grid;
 use crate::lubricant::petroleum_density;
-use crate::sim::scene::{BearingSpec, OilSpec, PadRelief};
+use crate::sim::scene::{BearingSpec, CELLS_IN_DIMPLE, OilSpec, PadRelief};
 
 /// Reynolds number `rho u c/eta` of a journal over `sqrt(R/c)` above which the film has Taylor vortices (Taylor, G. I. (1923),
 /// Philosophical Transactions of the Royal Society A 223, 289-343; Frene, J. and others (1997), Hydrodynamic Lubrication, Elsevier).
@@ -40,6 +42,34 @@ pub(in crate::sim) fn bearing_warnings(
     let index = oil.and_then(negative_index);
     let hot = oil.and_then(|_| OIL_TEMPERATURE.check("temperature", temperature));
     [idle, steep, hot, index].into_iter().flatten().collect()
+}
+
+/// Error for films at inlet and outlet \[m\] that are clearly in another unit.
+pub(in crate::sim) fn reject_film_units([inlet, outlet]: [f64; 2]) -> Result<(), InputError> {
+    GIVEN_FILM.reject_unit("given_film.inlet_film", inlet)?;
+    GIVEN_FILM.reject_unit("given_film.outlet_film", outlet)
+}
+
+/// Error for a temperature of the oil \[K\] that is clearly in another unit.
+pub(in crate::sim) fn reject_oil_temperature(field: &str, temperature: f64) -> Result<(), InputError> {
+    OIL_TEMPERATURE.reject_unit(field, temperature)
+}
+
+/// Warning about dimples on few cells of `grid`.
+pub(in crate::sim) fn coarse_dimples(relief: Option<&PadRelief>, grid: Grid) -> Option<Warning> {
+    let Some(&PadRelief::Dimples { diameter, .. }) = relief else { return None };
+    let [along, across] = [grid.dx(), grid.dy()].map(|cell| diameter / cell);
+    let cells = along.min(across);
+    // Cells may miss the number by rounding.
+    (cells < CELLS_IN_DIMPLE - 0.5).then(|| {
+        let message = format!(
+            "{cells:.1} cells lie in the diameter of a dimple: where films are thin beside the depth, load and friction of the dimples are off by up to a \
+             factor of two"
+        );
+        let needed = |count: usize, cells: f64| (count as f64 * (CELLS_IN_DIMPLE / cells).max(1.0)).ceil();
+        let remedy = format!("nx = {} and ny = {}", needed(grid.nx(), along), needed(grid.ny(), across));
+        Warning::new("given_film.dimple_diameter", diameter, message, remedy)
+    })
 }
 
 /// Warning about a bearing with the mean film \[m\], the viscosity \[Pa s\] and the temperature \[K\] of its oil whose flow is not laminar. The

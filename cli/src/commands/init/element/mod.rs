@@ -129,7 +129,8 @@ fn rotation(options: &Init, usual: f64) -> Result<f64, Box<dyn Error>> {
 /// The tables of the oil: by the options, or of the usual grade at the usual temperature.
 fn oil_tables(options: &Init, grade: &str, celsius: f64) -> Result<String, Box<dyn Error>> {
     if options.grade.is_some() || options.eta0.is_some() || options.alpha.is_some() {
-        return Ok(oil::tables(options, &answers::answers(options, false, None)?));
+        let oil = answers::oil(options)?;
+        return Ok(oil::tables(options, oil.each_ref()));
     }
     Ok(format!(
         "[lubricant]\ngrade = \"{grade}\" # kinematic viscosity at 40 degC\nviscosity_index = 95 # paraffinic mineral oils\n\n[thermal]\n\

@@ -101,7 +101,7 @@ pub(super) fn text(
     writeln!(
         text,
         "{}\n[friction]\nboundary_coefficient = 0.115 # where solids touch\neyring_stress = \"5 MPa\" # from which on the oil thins\n",
-        oil::tables(options, answers)
+        oil::tables(options, [&answers.eta0, &answers.alpha])
     )?;
     let shortest = UPSTREAM * half_width;
     let up = longest_inlet(&text, machine)?.max(shortest);
