@@ -250,7 +250,7 @@ fn features_out_of_range_are_refused_with_a_remedy() {
         (wide.clone() + &dimples("1 mm", "5 um", "0.2"), ["dimple_diameter", "width"]),
         (square.clone() + &dimples("1 mm", "5 mm", "0.2"), ["dimple_depth = 0.005", "below dimple_diameter"]),
         (square.clone() + &dimples("1 mm", "5 um", "0.9"), ["dimple_density = 0.9", "pi/4"]),
-        (square.clone() + &dimples("0.1 mm", "5 um", "0.2"), ["dimple_diameter", "more cells"]),
+        (square.clone() + &dimples("0.05 mm", "5 um", "0.2"), ["dimple_diameter", "more cells"]),
         (square + &dimples("9 mm", "5 um", "0.2"), ["dimple_density", "exceeds the pad"]),
         (
             "kind = \"journal\"\ndiameter = 0.1\nwidth = 0.05\nclearance = 5e-5\nspeed = 1.0\neccentricity = 0.0\nnx = 36\nny = 8\n\

@@ -168,7 +168,7 @@ fn tilting_pad_has_its_pivot_load_and_heat_balance() {
     let wide: String =
         text.lines().filter(|line| !line.starts_with("width")).map(|line| format!("{line}\n")).collect();
     // Per metre of width.
-    let wide = solve(&wide.replace("4 kN", "1 MN/m"));
+    let wide = solve(&wide.replace("4 kN", "100 kN/m"));
     let [inlet, outlet] = [wide.inlet_film, wide.outlet_film].map(Option::unwrap);
     let k = inlet / outlet - 1.0;
     let log = (1.0 + k).ln();

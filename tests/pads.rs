@@ -101,7 +101,7 @@ fn loads_that_no_film_carries_are_refused_with_a_remedy() {
         ("kind = \"pad\"\nload = 100\npivot = 0.03", ["given_film.pivot = 0.03", "below the length"]),
         ("kind = \"pad\"\nload = 100\npivot = 0.008", ["given_film.pivot", "8.0000 mm behind the inlet"]),
         ("kind = \"pad\"\nload = -100\ntaper = 1e-5", ["given_film.load = -100", "> 0"]),
-        ("kind = \"pad\"\nload = 100\ntaper = 0", ["parallel surfaces", "taper above 0"]),
+        ("kind = \"pad\"\nload = 100\ntaper = 0", ["parallel smooth", "taper above 0"]),
         ("kind = \"pad\"\nload = 1e6\ntaper = 1e-3", ["a smaller load", "carries"]),
         (
             "kind = \"pad\"\nload = 1\ntaper = 1e-5\nedge_pressures = [1e5, 1e5, 1e5, 1e5]",

@@ -129,14 +129,27 @@ fn outcome(arguments: impl IntoIterator<Item = OsString>) -> Outcome {
     }
 }
 
-/// The fault of the command line, without usage; of a value that an option refuses, the reason of the option.
+/// The `reason` of an option with the option and its value in `head`, "invalid value 'VALUE' for '--option <NAME", unless it names them.
+fn refused_value(head: &str, reason: &str) -> String {
+    let named = head.trim_start_matches("invalid value '").split_once("' for '");
+    let Some((value, option)) = named.filter(|_| !reason.contains("--")) else { return reason.to_owned() };
+    let option = option.split(' ').next().unwrap_or(option);
+    let reason = match reason {
+        "invalid float literal" => "it is no number; units are those of `--help`",
+        "invalid digit found in string" => "it is no whole number",
+        reason => reason,
+    };
+    format!("{option} = {value}: {reason}")
+}
+
+/// The fault of the command line, without usage; of a value that an option refuses, the reason with option and value.
 fn short(error: &str) -> String {
     let parts = error.split("\n\n").map(str::trim);
     let kept = parts.filter(|part| !part.starts_with("Usage:") && !part.starts_with("For more information"));
     let text = kept.collect::<Vec<_>>().join("; ");
     let text = text.strip_prefix("error: ").unwrap_or(&text);
     match text.split_once(">': ") {
-        Some((head, rest)) if head.starts_with("invalid value") => rest.to_owned(),
+        Some((head, rest)) if head.starts_with("invalid value") => refused_value(head, rest),
         _ => text.to_owned(),
     }
 }

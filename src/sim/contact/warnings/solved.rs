@@ -218,7 +218,39 @@ fn mesh_errors(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
         return unknown.into_iter().collect();
     };
     let rough = solution.roughness.composite_rq > 0.0;
-    large_errors(&estimate, rough).into_iter().collect()
+    let missed = wanted.and_then(|wanted| missed_accuracy(wanted, &estimate, scene, rough));
+    missed.into_iter().chain(large_errors(&estimate, rough)).collect()
+}
+
+/// The warning about an accuracy that the meshes did not reach, with its field and value.
+fn missed_accuracy(
+    (field, accuracy): (&'static str, f64),
+    estimate: &ErrorEstimate,
+    scene: &Scene,
+    rough: bool,
+) -> Option<Warning> {
+    let errors = if rough {
+        vec![
+            estimate.film_mean_central,
+            estimate.contact_load_ratio,
+            estimate.contact_area_ratio,
+            estimate.friction_coefficient,
+        ]
+    } else if scene.lubricant.is_some() {
+        vec![estimate.film_central]
+    } else {
+        vec![estimate.pressure_max]
+    };
+    let largest = errors.into_iter().fold(0.0_f64, f64::max);
+    (largest > accuracy).then(|| {
+        let message = format!("the estimated error is {}, above the accuracy asked for", short((1e4 * largest).round() / 1e4));
+        let remedy = if estimate.film_by_box > 0.5 * largest {
+            "a longer inlet, grid.x with nx in place of accuracy: the error is that of the box and not of its cells"
+        } else {
+            "more cells, nx and ny, than those of the last mesh"
+        };
+        Warning::new(field, accuracy, message, remedy.to_owned())
+    })
 }
 
 /// The warning about the largest estimate above [`LARGEST_ERROR`]; it names the others too.

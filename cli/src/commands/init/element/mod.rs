@@ -19,6 +19,8 @@ use crate::output::{self, Outcome};
 
 /// Half a side of the box of a dry contact, in half-widths: room for the scar to grow.
 const DRY_BOX: f64 = 3.0;
+/// Usual temperature of the oil that is supplied to a journal bearing \[degC\].
+const USUAL_SUPPLY: f64 = 40.0;
 /// Keys of `[grid]` of line contacts.
 const LINE_GRID: &str = "accuracy = \"2 %\" # estimated error, for which cells and box are chosen\n";
 
@@ -196,13 +198,19 @@ fn steel() -> f64 {
 fn journal(options: &Init) -> Result<String, Box<dyn Error>> {
     let (load, _) = quantity(Dimension::Force, "--load", options.load.as_ref(), "2 kN")?;
     let rotation = rotation(options, 3000.0)?;
-    let oil = oil_tables(options, "ISO VG 32", 50.0)?;
-    let isoviscous = "\nalpha = 0 # isoviscous: rigid surfaces with a piezoviscous oil overestimate pressure and film\n\n[thermal]";
-    let oil = if oil.contains("grade") { oil.replacen("\n\n[thermal]", isoviscous, 1) } else { oil };
-    let heat = if oil.contains("[thermal]") {
-        "supply_temperature = \"40 degC\" # heat balance: the oil has the mean of supply and outlet, in place of thermal.bulk_temperature\n"
-    } else {
-        ""
+    let oil = oil_tables(options, "ISO VG 32", USUAL_SUPPLY)?;
+    // With a heat balance the temperature of an oil by its grade is that of the supply.
+    let (oil, heat) = match oil.split_once("\n\n[thermal]\n") {
+        Some((oil, _)) => (
+            format!(
+                "{oil}\nalpha = 0 # isoviscous: rigid surfaces with a piezoviscous oil overestimate pressure and film\n"
+            ),
+            format!(
+                "supply_temperature = \"{} degC\" # heat balance: the oil has the mean of supply and outlet\n",
+                plain(options.temperature.map_or(USUAL_SUPPLY, |kelvin| kelvin - 273.15))
+            ),
+        ),
+        None => (oil, String::new()),
     };
     Ok(format!(
         "# A steady loaded journal bearing with one axial groove opposite the load. Relative clearance 1.5 per mille, width over diameter 0.5.\n\

@@ -155,9 +155,15 @@ pub(super) fn run(options: &Init) -> Result<Option<Outcome>, Box<dyn Error>> {
     Ok(Some(Outcome::Converged))
 }
 
+/// Length \[m\] of a part of a machine from which on it needs its unit.
+const WITHOUT_UNIT: f64 = 1.0;
+
 /// The positive value of the option `key`.
 fn length(key: &str, text: &Option<String>) -> Result<f64, Box<dyn Error>> {
     let text = text.as_ref().ok_or_else(|| format!("{key} is missing"))?;
+    if text.trim().parse::<f64>().is_ok_and(|metres| metres >= WITHOUT_UNIT) {
+        return Err(format!("{key} = {text}: the unit is missing; \"{text} mm\", or \"{text} m\"").into());
+    }
     Ok(output::positive(Dimension::Length, key, text)?)
 }
 
