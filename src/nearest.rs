@@ -12,7 +12,8 @@ pub(crate) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) 
             (if part { 0 } else { changes(name, other) }, other)
         })
         .collect();
-    ranked.sort_by_key(|(changes, _)| *changes);
+    ranked.sort_unstable();
+    ranked.dedup();
     ranked.into_iter().take(OFFERED).map(|(_, other)| other).collect()
 }
 
@@ -50,7 +51,8 @@ mod tests {
     }
 
     #[test]
-    fn closest_names_come_first() {
+    fn closest_names_come_first_and_once() {
+        assert_eq!(nearest("init", ["grid.x", "unit", "grid.x", "unit"]), ["unit", "grid.x"]);
         assert_eq!(nearest("stell", ["glass", "steel", "ptfe"])[0], "steel");
     }
 }

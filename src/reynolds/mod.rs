@@ -46,6 +46,7 @@ pub use dry::Dry;
 pub use evaluation::Evaluation;
 pub(crate) use flow::require_spin;
 pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearThinning};
+#[cfg(feature = "serde")]
 pub(crate) use given_film::require_resolved_holes;
 pub use given_film::{
     Feed, FilmThickness, GivenFilm, GivenFilmSolution, MeanContact, MeanRoughness, SideEdges,

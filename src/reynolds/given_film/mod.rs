@@ -23,7 +23,6 @@ mod row;
 mod solution;
 
 pub use feed::Feed;
-#[cfg_attr(not(feature = "serde"), expect(unused_imports, reason = "of scenes"))]
 pub(crate) use feed::require_resolved_holes;
 use film::FaceIntegral;
 pub use film::FilmThickness;

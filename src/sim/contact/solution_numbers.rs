@@ -6,6 +6,7 @@
 
 use std::fmt;
 
+use crate::report::Status;
 use crate::sim::contact::solution::ContactSolution;
 use crate::units::by_size;
 
@@ -18,6 +19,13 @@ impl fmt::Display for ContactSolution {
         let Self { report, grid, hertz, .. } = self;
         let (residuals, work) = (report.residual, report.work);
         writeln!(f, "{} by {} on {} x {} nodes", report.status, report.solver, grid.nx(), grid.ny())?;
+        if report.status != Status::Converged {
+            writeln!(
+                f,
+                "result     not a solution: the numbers are those of the best state; other cells, a larger solver.tolerance, or another seed of random \
+                 roughness"
+            )?;
+        }
         writeln!(f, "residuals  {residuals}")?;
         writeln!(
             f,
@@ -77,13 +85,14 @@ impl ContactSolution {
     fn write_film(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { film, contact, .. } = self;
         // The gap of solids that touch is rounding.
+        let length = |film: f64| if film.is_nan() { "unknown".to_owned() } else { by_size(film, "m") };
         if self.moes.is_some() {
             writeln!(
                 f,
                 "film       central {}, minimum {}, mean {}{}",
-                by_size(film.central, "m"),
-                by_size(film.minimum, "m"),
-                by_size(film.mean_central, "m"),
+                length(film.central),
+                length(film.minimum),
+                length(film.mean_central),
                 film.formula_ratio.map_or_else(String::new, |ratio| {
                     let which = if self.roughness.composite_rq > 0.0 { "mean" } else { "central" };
                     let limit = if contact.load_ratio > FULL_FILM {
