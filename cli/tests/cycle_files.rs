@@ -133,4 +133,11 @@ fn lifts_are_refused_by_line_and_have_units() {
         loads.split("radius = [").nth(1).unwrap().split(']').next().unwrap().to_owned()
     });
     assert_eq!(scenes[0], scenes[1]);
+    // Of a least radius of about 6 mm digits to 0.01 mm at steps of 5 degrees leave 0.9 mm open, digits to 0.1 um 9 um.
+    for (decimals, is_said) in [(2, true), (4, false)] {
+        let rows: String = (0..72).map(|k| format!("{} {:.decimals$}\n", entry(k).0, entry(k).1)).collect();
+        fs::write(&lift, format!("angle (deg) lift (mm)\n{rows}")).unwrap();
+        let told = error_of(&stribeck(&arguments));
+        assert_eq!(told.contains("lifts are rounded to 10.000 um"), is_said, "{told}");
+    }
 }

@@ -10,6 +10,7 @@ mod cycle_record;
 mod drive;
 mod end;
 mod extremes;
+mod opposite;
 mod passages;
 mod point;
 mod skipped;
@@ -98,7 +99,8 @@ impl SimBuilder {
         let grid = self.scene.grid()?;
         require_rows(&self.scene, &grid, &table)?;
         let coarse = cells::few_in_narrowest(&self.scene, &grid, &table)?;
-        let of_scene = estimate.into_iter().chain(coarse);
+        let opposite = opposite::opposite_surfaces(&self.scene, &table);
+        let of_scene = estimate.into_iter().chain(coarse).chain(opposite);
         if !self.scene.motion.roughness.is_at_rest() {
             let mut solution = passages::solve(self, &table, observer)?;
             solution.warnings.extend(of_scene);

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::fs;
 
 use stribeck::text_table;
-use stribeck::units::Dimension;
+use stribeck::units::{Dimension, by_size};
 
 use super::{Machine, Options, length, number};
 use crate::{files, output};
@@ -19,6 +19,8 @@ pub(super) const OPTIONS: [&str; 6] =
     ["--base-circle", "--face-width", "--rotation", "--spring-rate", "--preload", "--mass"];
 /// Relative difference of angle steps that counts as equal.
 const EVEN: f64 = 1e-3;
+/// Root mean square error of the radii of curvature by rounded lifts, over the least radius, above which it is said.
+const ROUNDED: f64 = 0.02;
 /// Largest lift over the radius of the base circle.
 const LARGEST_LIFT: f64 = 10.0;
 
@@ -31,6 +33,15 @@ struct Entry {
     angle: f64,
     /// Lift \[m\].
     lift: f64,
+    /// Unit of the last digit of the lift \[m\].
+    digit: f64,
+}
+
+/// Unit of the last digit of a number, 0.01 of "12.34" and 1e-5 of "1.234e-2".
+fn last_digit(number: &str) -> f64 {
+    let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    10_f64.powi(exponent.parse().unwrap_or(0) - decimals as i32)
 }
 
 /// The lines of `text`; an error in words. Angles are in degrees and lifts in metres unless a line of names has other units in
@@ -41,7 +52,8 @@ fn entries(text: &str) -> Result<Vec<Entry>, String> {
         let values: Vec<Option<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
         match *values.as_slice() {
             [Some(angle), Some(lift)] if f64::is_finite(angle) && f64::is_finite(lift) => {
-                entries.push(Entry { line, angle: units[0] * angle, lift: units[1] * lift });
+                let digit = units[1] * cells.get(1).map_or(0.0, |cell| last_digit(cell));
+                entries.push(Entry { line, angle: units[0] * angle, lift: units[1] * lift, digit });
             }
             // a line of names
             _ if entries.is_empty() && text.starts_with(|c: char| c.is_alphabetic() || c == '"') => {
@@ -128,6 +140,26 @@ fn turn(options: &Options) -> Result<Vec<Entry>, Box<dyn Error>> {
     Ok(entries)
 }
 
+/// Says where lifts have too few digits for the `least` radius of curvature \[m\]. Roundings of three lifts, each of the standard deviation
+/// `d/sqrt(12)` of the last digit d, make the standard deviation `d/(sqrt(2) step^2)` of the second derivative.
+fn warn_of_rounding(entries: &[Entry], step: f64, least: f64) {
+    let digit = entries.iter().map(|entry| entry.digit).fold(f64::INFINITY, f64::min);
+    let error = digit / (2.0_f64.sqrt() * step * step);
+    if error > ROUNDED * least && least > 0.0 {
+        let needed = digit * ROUNDED * least / error;
+        output::complain(
+            "warning",
+            &format!(
+                "--cam: lifts are rounded to {}, by which radii of curvature are off by {} at the least radius of {}; lifts with digits to {}, or at wider steps",
+                by_size(digit, "m"),
+                by_size(error, "m"),
+                by_size(least, "m"),
+                by_size(needed, "m")
+            ),
+        );
+    }
+}
+
 /// The cam over a turn.
 pub(super) fn machine(options: &Options) -> Result<Machine, Box<dyn Error>> {
     let entries = turn(options)?;
@@ -152,6 +184,7 @@ pub(super) fn machine(options: &Options) -> Result<Machine, Box<dyn Error>> {
     let first = entries[0].angle.to_radians();
     let angles: Vec<f64> = (0..count).map(|k| first + step * k as f64).collect();
     let radii: Vec<f64> = (0..count).map(|k| base + lift[k] + second[k]).collect();
+    warn_of_rounding(&entries, step, radii.iter().copied().fold(f64::INFINITY, f64::min));
     let loads: Vec<f64> =
         (0..count).map(|k| (preload + spring * lift[k] + mass * rate * rate * second[k]) / width).collect();
     let place = |k: usize| format!("{:.2} degrees (line {})", angles[k].to_degrees(), entries[k].line);
