@@ -288,7 +288,7 @@ fn rigs_and_bearings_take_roughness() {
     let (_, offered) = error.split_once("with --radius ").unwrap();
     let values: Vec<&str> = offered.split('"').step_by(2).collect();
     let quoted: Vec<&str> = offered.split('"').skip(1).step_by(2).collect();
-    assert_eq!(values, ["", " --load ", " --speed ", "\n"], "{error}");
+    assert_eq!(values, ["", " --load ", " --speed ", " --slide-roll-ratio 0\n"], "{error}");
     let strip = ["--roller", "--radius", quoted[0], "--load", quoted[1], "--speed", quoted[2]];
     let output = stribeck(&[&["init", text(&path)], &strip[..], &polished].concat());
     assert_eq!(output.status.code(), Some(0), "{}", error_of(&output));
