@@ -147,7 +147,7 @@ fn cam_by_asperity_inlets_balances_the_load_at_all_angles() {
     assert!(output.status.success(), "{}", error_of(&output));
     let opposite = cam_speeds.iter().zip(&follower).filter(|(u1, u2)| *u1 * *u2 < 0.0).count();
     for words in
-        ["cycle.quasi_static", &format!("the surfaces of {opposite} of 73 rows move in opposite directions")]
+        ["cycle.quasi_static", &format!("the surfaces of {opposite} of 74 rows move in opposite directions")]
     {
         assert!(error_of(&output).contains(words), "no `{words}` in {}", error_of(&output));
     }
