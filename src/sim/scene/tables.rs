@@ -38,10 +38,16 @@ impl FormTable {
         let form = match self {
             Self::Sphere { radius, radii } => {
                 let radii = section("radius", radius, "radii", radii)?;
+                if radii[1].is_infinite() {
+                    return Ok(Form::Sphere { radius: radii[0] });
+                }
                 Form::Bodies { x: radii, y: radii, angle: 0.0 }
             }
             Self::Cylinder { radius, radii } => {
                 let radii = section("radius", radius, "radii", radii)?;
+                if radii[1].is_infinite() {
+                    return Ok(Form::Cylinder { radius: radii[0] });
+                }
                 Form::Bodies { x: radii, y: [f64::INFINITY; 2], angle: 0.0 }
             }
             Self::Ellipsoid { radius_x, radii_x, radius_y, radii_y, angle } => {
