@@ -135,8 +135,8 @@ fn refused_value(head: &str, reason: &str) -> String {
     let Some((value, option)) = named.filter(|_| !reason.contains("--")) else { return reason.to_owned() };
     let option = option.split(' ').next().unwrap_or(option);
     let reason = match reason {
-        "invalid float literal" => "it is no number; units are those of `--help`",
-        "invalid digit found in string" => "it is no whole number",
+        "invalid float literal" => "a number is expected, in the unit that `--help` names",
+        "invalid digit found in string" => "a whole number is expected",
         reason => reason,
     };
     format!("{option} = {value}: {reason}")

@@ -394,14 +394,16 @@ impl<'a> Balance<'a> {
             }
         };
         // Faces along x; the one at both ends of a period counts once.
-        let first_face = usize::from(self.is_periodic);
+        let (first_face, mut circulating) = (usize::from(self.is_periodic), 0.0);
         for j in 0..ny {
             for i in first_face..=nx {
-                let [first, second] = self.nodes_along(i, j);
-                add(self.flow_along(i, j), first, second, 1);
+                let ([first, second], flow) = (self.nodes_along(i, j), self.flow_along(i, j));
+                add(flow, first, second, 1);
+                if self.is_periodic && i == nx {
+                    circulating += flow.value;
+                }
             }
         }
-        let circulating = if self.is_periodic { self.edge_flows()[EAST].abs() } else { 0.0 };
         // Faces along y; that of a strip from its last row to its first one is the northern one.
         for j in usize::from(grid.is_strip())..=ny {
             for i in 0..nx {
@@ -424,8 +426,8 @@ impl<'a> Balance<'a> {
             stencil[STENCIL * k..STENCIL * (k + 1)].fill(0.0);
             stencil[STENCIL * k] = 1.0;
         }
-        // What leaves a period at one end enters it at the other.
-        let [inflow, outflow] = boundary_flux.map(|flux| flux + circulating);
+        // The flow out of one end of a period enters at the other.
+        let [inflow, outflow] = boundary_flux.map(|flux| flux + circulating.abs());
         BoundaryFlux { inflow, outflow, rounding: ROUNDING * terms }
     }
 }

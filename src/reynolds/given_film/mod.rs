@@ -132,8 +132,8 @@ pub struct GivenFilm<'a> {
     pub cavitation_pressure: f64,
     /// Boundary condition at the edges across y.
     pub sides: SideEdges,
-    /// Whether the film repeats along x with the length of the box, as around a ring: what leaves at one end enters at
-    /// the other. Needs a pressure above that of cavitation at a side or in a feed, and at least three rows and columns.
+    /// Whether the film repeats along x with the length of the box, as around a ring: the flow out of one end
+    /// enters at the other. Needs a pressure above that of cavitation at a side or in a feed, and at least three rows and columns.
     pub is_periodic: bool,
     /// Grooves and holes.
     pub feeds: &'a [Feed],

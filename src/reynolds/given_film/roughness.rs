@@ -95,6 +95,9 @@ impl MeanRoughness {
         Ok(Self { rq, flow: PatirCheng::new(gamma)?, contact, boundary_friction })
     }
 
+    /// Least film of an equilibrium over the root mean square height of both surfaces, where flow factors end.
+    pub(crate) const LEAST_SEPARATION: f64 = 0.5;
+
     /// Root mean square height of both surfaces together \[m\].
     pub fn composite_rq(&self) -> f64 {
         self.rq[0].hypot(self.rq[1])

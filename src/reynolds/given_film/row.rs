@@ -63,10 +63,12 @@ impl Row {
             reformation: None,
         };
         // From edge to edge, node by node; over a period from its first node to the same node again.
-        let nodes = (j * grid.nx()..).zip(&solved.unknowns[j * grid.nx()..(j + 1) * grid.nx()]);
-        let nodes: Vec<f64> = nodes.map(|(k, &s)| solved.balance.pressure(k, s)).collect();
+        let at_node = |i: usize| {
+            let k = j * grid.nx() + i;
+            solved.balance.pressure(k, solved.unknowns[k])
+        };
         let (start, x_start, [first, last]) = if problem.is_periodic {
-            (1, grid.x(0), [nodes[0]; 2])
+            (1, grid.x(0), [at_node(0); 2])
         } else {
             (0, west, [WEST, EAST].map(|edge| problem.end_pressure(edge, j, grid)))
         };
@@ -74,7 +76,7 @@ impl Row {
         let (mut before, mut x) = (first, x_start);
         for i in start..=grid.nx() {
             // The pressure of the next node, or of the edge behind the last one.
-            let after = nodes.get(i).copied().unwrap_or(last);
+            let after = if i < grid.nx() { at_node(i) } else { last };
             let lengths = lengths(problem, i, j);
             // Add friction and cavitation of the way between the two.
             row.walk(

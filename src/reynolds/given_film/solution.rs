@@ -98,6 +98,13 @@ impl GivenFilmSolution {
         self.reformation.get(row).copied().flatten()
     }
 
+    /// Makes a converged film of a search that is not `is_found` one that is not converged.
+    pub(crate) fn mark_search(&mut self, is_found: bool) {
+        if !is_found && self.report.status == Status::Converged {
+            self.report.status = Status::MaxIterations;
+        }
+    }
+
     /// Adds the flow `through` \[m^3/s\] out of each side, beside the box.
     pub(in crate::reynolds) fn add_side_flow(&mut self, through: f64) {
         self.edge_flows[SOUTH] += through;

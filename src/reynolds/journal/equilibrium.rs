@@ -10,8 +10,6 @@ use crate::reynolds::given_film::MeanRoughness;
 
 /// Largest eccentricity of an equilibrium of smooth surfaces.
 const MOST_ECCENTRIC: f64 = 0.99;
-/// Least film of an equilibrium of rough surfaces over their root mean square height.
-const LEAST_SEPARATION: f64 = 0.5;
 /// Relative error of the load of an equilibrium.
 const LOAD_TOLERANCE: f64 = 1e-6;
 /// Change of the attitude angle \[rad\] below which grooves keep their position to the line of centers.
@@ -130,7 +128,9 @@ impl JournalBearing<'_> {
 
     /// Largest eccentricity of an equilibrium.
     fn most_eccentric(&self) -> f64 {
-        let thinnest = |rough: MeanRoughness| 1.0 - LEAST_SEPARATION * rough.composite_rq() / self.clearance;
+        let thinnest = |rough: MeanRoughness| {
+            1.0 - MeanRoughness::LEAST_SEPARATION * rough.composite_rq() / self.clearance
+        };
         self.roughness.map_or(MOST_ECCENTRIC, |rough| thinnest(rough).max(MOST_ECCENTRIC))
     }
 

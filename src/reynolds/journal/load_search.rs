@@ -2,7 +2,6 @@
 
 use super::bearing::JournalSolution;
 use crate::numerics::FalsePosition;
-use crate::report::Status;
 use crate::reynolds::ReynoldsError;
 
 /// Most eccentricities of a search.
@@ -25,8 +24,6 @@ pub(super) fn find_load(
         Ok::<_, ReynoldsError>((solution, excess))
     };
     let (mut solution, is_found) = bracket.find([tolerance * load, 0.01], MOST_SOLVES, evaluate)?;
-    if !is_found && solution.film.report.status == Status::Converged {
-        solution.film.report.status = Status::MaxIterations;
-    }
+    solution.film.mark_search(is_found);
     Ok(solution)
 }

@@ -40,3 +40,20 @@ pub struct ErrorEstimate {
     /// 0 if the oil supply is at the edge of the box.
     pub film_by_box: f64,
 }
+
+impl ErrorEstimate {
+    /// The error that the accuracy of a smooth contact bounds, whose box and cells are chosen: of the central film, and of the maximum
+    /// pressure if it is dry.
+    pub(in crate::sim) fn of_smooth(&self, is_lubricated: bool) -> f64 {
+        if is_lubricated { self.film_central } else { self.pressure_max }
+    }
+
+    /// The largest of the four errors that the accuracy of any other contact bounds, with these friction coefficients of solids and
+    /// fluid together and of the fluid. The part caused by the box is left out: it does not depend on the cells.
+    pub(in crate::sim) fn of_cells(&self, [coefficient, fluid]: [f64; 2]) -> f64 {
+        let friction_by_box = if coefficient > 0.0 { self.film_by_box * fluid / coefficient } else { 0.0 };
+        let film = self.film_mean_central - self.film_by_box;
+        let friction = self.friction_coefficient - friction_by_box;
+        film.max(self.contact_load_ratio).max(self.contact_area_ratio).max(friction)
+    }
+}

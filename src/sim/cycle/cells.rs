@@ -5,7 +5,7 @@ use crate::grid::Grid;
 use crate::metrics::CENTRAL;
 use crate::sim::contact::mesh_error::CELLS_IN_HALF_WIDTH;
 use crate::sim::contact::warnings::Warning;
-use crate::sim::cycle::set_row;
+use crate::sim::cycle::half_widths;
 use crate::sim::scene::Scene;
 use crate::sim::scene::cycle_table::CycleTable;
 use crate::units::by_size;
@@ -20,17 +20,10 @@ pub(super) fn few_in_narrowest(
     grid: &Grid,
     table: &CycleTable,
 ) -> Result<Option<Warning>, InputError> {
-    let mut at = scene.clone();
-    let (mut narrowest, mut widest) = ((0, f64::INFINITY), 0.0_f64);
-    for (index, row) in table.rows.iter().enumerate() {
-        set_row(&mut at, row);
-        let half_width = at.constant_hertz()?.half_extents()[0];
-        widest = widest.max(half_width);
-        if half_width < narrowest.1 {
-            narrowest = (index, half_width);
-        }
-    }
-    let (index, half_width) = narrowest;
+    let half_widths = half_widths(scene, table)?;
+    let widest = half_widths.iter().copied().fold(0.0, f64::max);
+    let narrowest = half_widths.into_iter().enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+    let Some((index, half_width)) = narrowest else { return Ok(None) };
     let cells = half_width / grid.dx();
     Ok((cells < CELLS_IN_HALF_WIDTH).then(|| {
         let jumps = if scene.form.is_line() && widest > half_width {

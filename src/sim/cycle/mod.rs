@@ -151,6 +151,16 @@ fn cycle_scene(mut scene: Scene, table: &CycleTable) -> Result<Scene, SimError> 
     Ok(scene)
 }
 
+/// Half-widths along x of the Hertz contacts of the rows of `table` \[m\].
+fn half_widths(scene: &Scene, table: &CycleTable) -> Result<Vec<f64>, InputError> {
+    let mut at = scene.clone();
+    let half_width = |row: &CycleRow| {
+        set_row(&mut at, row);
+        Ok(at.constant_hertz()?.half_extents()[0])
+    };
+    table.rows.iter().map(half_width).collect()
+}
+
 /// Sets radius, load and temperature of `row`.
 pub(in crate::sim::cycle) fn set_row(scene: &mut Scene, row: &CycleRow) {
     let mut form = scene.form.reduced();

@@ -2,7 +2,7 @@
 
 use crate::error::InputError;
 use crate::sim::contact::warnings::Warning;
-use crate::sim::cycle::set_row;
+use crate::sim::cycle::half_widths;
 use crate::sim::scene::Scene;
 use crate::sim::scene::cycle_table::CycleTable;
 
@@ -12,14 +12,10 @@ const LONGEST_WAY: f64 = 1.0;
 /// Longest way of the entrained film in a step over the rows of `table`, in half-widths of their Hertz contacts.
 fn longest_way(scene: &Scene, table: &CycleTable) -> Result<f64, InputError> {
     let time_step = table.span()[1] / table.steps as f64;
-    let mut at = scene.clone();
-    let mut longest = 0.0_f64;
-    for row in &table.rows {
-        set_row(&mut at, row);
-        let half_width = at.constant_hertz()?.half_extents()[0];
-        longest = longest.max(row.entrainment().abs() * time_step / half_width);
-    }
-    Ok(longest)
+    let ways = table.rows.iter().zip(half_widths(scene, table)?);
+    Ok(ways.fold(0.0, |longest, (row, half_width)| {
+        longest.max(row.entrainment().abs() * time_step / half_width)
+    }))
 }
 
 /// The warning about steps of `table` that are too long for its motion; `None` for steady contacts.

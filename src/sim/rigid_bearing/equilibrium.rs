@@ -11,6 +11,7 @@ use super::pad::Pad;
 use crate::error::InputError;
 use crate::numerics::FalsePosition;
 use crate::report::Status;
+use crate::reynolds::MeanRoughness;
 use crate::sim::error::SimError;
 
 /// Relative error of the load.
@@ -25,8 +26,6 @@ const LEAST_RATIO: f64 = 1e-3;
 const BEYOND: f64 = 0.05;
 /// Least outlet film over the difference of the films within a pad, as that of a journal of the eccentricity 0.99.
 const LEAST_FILM: f64 = 0.01;
-/// Least film of rough surfaces over their root mean square height, where flow factors end.
-const LEAST_SEPARATION: f64 = 0.5;
 /// Film over the upper bound above which the motion carries next to nothing.
 const THICKEST: f64 = 10.0;
 /// Film ratios of pivoted pads, less one.
@@ -75,8 +74,9 @@ pub(super) fn pivoted(pad: &Pad<'_>, load: f64, pivot: f64) -> Result<BearingSol
         };
         if ahead * other_ahead < 0.0 {
             let bracket = FalsePosition::new([ratio, ahead], [next, other_ahead], None);
-            let (solution, is_found) = bracket.find([CENTER_TOLERANCE, 0.0], MOST_STEPS, at)?;
-            return Ok(marked(solution, is_found));
+            let (mut solution, is_found) = bracket.find([CENTER_TOLERANCE, 0.0], MOST_STEPS, at)?;
+            solution.film.mark_search(is_found);
+            return Ok(solution);
         }
         (ratio, solution, ahead) = (next, other, other_ahead);
     }
@@ -149,9 +149,10 @@ impl Search<'_> {
             }
             if excess * other_excess < 0.0 {
                 let bracket = FalsePosition::new([position, excess], [next, other_excess], None);
-                let (solution, is_found) =
+                let (mut solution, is_found) =
                     bracket.find([LOAD_TOLERANCE, 0.0], MOST_STEPS, |film| self.at(film))?;
-                return Ok(marked(solution, is_found));
+                solution.film.mark_search(is_found);
+                return Ok(solution);
             }
             (position, solution, excess) = (next, other, other_excess);
         }
@@ -161,9 +162,9 @@ impl Search<'_> {
     /// Least film at the thinner end of the pad \[m\].
     fn least_film(&self) -> f64 {
         let smooth = LEAST_FILM * (self.depth + self.pad.relief_depth());
-        match self.pad.composite_rq() {
-            Some(rq) if smooth > 0.0 => smooth.min(LEAST_SEPARATION * rq),
-            Some(rq) => LEAST_SEPARATION * rq,
+        match self.pad.bearing.composite_rq().map(|rq| MeanRoughness::LEAST_SEPARATION * rq) {
+            Some(rough) if smooth > 0.0 => smooth.min(rough),
+            Some(rough) => rough,
             None => smooth.max(f64::MIN_POSITIVE),
         }
     }
@@ -187,12 +188,4 @@ impl Search<'_> {
         };
         InputError::Conflict { field: format!("given_film.load = {load} N{per}"), reason }
     }
-}
-
-/// The solution, not converged unless its search `is_found`.
-fn marked(mut solution: BearingSolution, is_found: bool) -> BearingSolution {
-    if !is_found && solution.film.report.status == Status::Converged {
-        solution.film.report.status = Status::MaxIterations;
-    }
-    solution
 }

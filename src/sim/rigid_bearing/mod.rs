@@ -17,6 +17,7 @@ use self::pad::Pad;
 use crate::analytic::GreenwoodTripp;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
+use crate::metrics::composite_rq;
 use crate::report::Status;
 use crate::reynolds::{ElasticBore, GivenFilmSolution, MeanRoughness, ReynoldsError};
 use crate::sim::contact::oil;
@@ -194,6 +195,11 @@ impl RigidBearing {
     fn least_edge_pressure(&self) -> f64 {
         let ends = if self.is_periodic { 2 } else { 0 };
         self.edge_pressures[ends..].iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Root mean square height of both surfaces together \[m\].
+    fn composite_rq(&self) -> Option<f64> {
+        self.roughness.map(|spec| composite_rq(spec.rq[0], spec.rq[1]))
     }
 
     /// The roughness of both surfaces.

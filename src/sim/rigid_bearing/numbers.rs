@@ -126,7 +126,7 @@ impl RigidBearing {
             contact_share: contact.map(|contact| over_load(contact.load)),
             contact_area: contact.map(|contact| contact.area),
             contact_friction: contact.map(|contact| contact.friction),
-            film_over_rq: self.roughness.map(|spec| thickness.least / spec.rq[0].hypot(spec.rq[1])),
+            film_over_rq: self.composite_rq().map(|rq| thickness.least / rq),
             side_flow: film.side_flow,
             edge_flows: film.edge_flows,
             groove_flow: None,

@@ -105,11 +105,6 @@ impl Pad<'_> {
         }
     }
 
-    /// Root mean square height of both surfaces together \[m\].
-    pub(super) fn composite_rq(&self) -> Option<f64> {
-        self.bearing.roughness.map(|spec| spec.rq[0].hypot(spec.rq[1]))
-    }
-
     /// Holes of the pad.
     fn holes(&self, grid: Grid) -> Result<Vec<Feed>, InputError> {
         let Some(holes) = &self.bearing.holes else { return Ok(Vec::new()) };

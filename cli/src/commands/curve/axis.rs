@@ -239,10 +239,11 @@ pub(super) fn values(options: &Options, scene: &Scene, own: &Conditions) -> Resu
     let usual = match axis {
         Axis::Speed => {
             let own = own.motion.entrainment_speed;
-            if options.from.is_none() || options.to.is_none() {
-                output::require(own > 0.0, "motion.entrainment_speed", own, "finite and > 0")
-                    .map_err(|error| output::in_scene(&options.scene, &error))?;
+            if options.from.is_some() && options.to.is_some() {
+                return axis.spread(options, line, [own; 2]);
             }
+            output::require(own > 0.0, "motion.entrainment_speed", own, "finite and > 0")
+                .map_err(|error| output::in_scene(&options.scene, &error))?;
             speeds::usual(scene, own).map_err(|error| output::in_scene(&options.scene, &error))?
         }
         Axis::SlideRollRatio => RATIOS,

@@ -218,30 +218,21 @@ fn mesh_errors(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
         return unknown.into_iter().collect();
     };
     let rough = solution.roughness.composite_rq > 0.0;
-    let missed = wanted.and_then(|wanted| missed_accuracy(wanted, &estimate, scene, rough));
+    let missed = wanted.and_then(|wanted| missed_accuracy(wanted, scene, (&estimate, solution)));
     missed.into_iter().chain(large_errors(&estimate, rough)).collect()
 }
 
 /// The warning about an accuracy that the meshes did not reach, with its field and value.
 fn missed_accuracy(
     (field, accuracy): (&'static str, f64),
-    estimate: &ErrorEstimate,
     scene: &Scene,
-    rough: bool,
+    (estimate, solution): (&ErrorEstimate, &ContactSolution),
 ) -> Option<Warning> {
-    let errors = if rough {
-        vec![
-            estimate.film_mean_central,
-            estimate.contact_load_ratio,
-            estimate.contact_area_ratio,
-            estimate.friction_coefficient,
-        ]
-    } else if scene.lubricant.is_some() {
-        vec![estimate.film_central]
-    } else {
-        vec![estimate.pressure_max]
+    let friction = &solution.friction;
+    let largest = match scene.grid {
+        GridSpec::Accuracy { .. } if scene.is_smooth() => estimate.of_smooth(scene.is_lubricated()),
+        _ => estimate.of_cells([friction.coefficient, friction.fluid]),
     };
-    let largest = errors.into_iter().fold(0.0_f64, f64::max);
     (largest > accuracy).then(|| {
         let message = format!("the estimated error is {}, above the accuracy asked for", short((1e4 * largest).round() / 1e4));
         let remedy = if estimate.film_by_box > 0.5 * largest {

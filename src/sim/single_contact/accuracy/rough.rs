@@ -12,7 +12,6 @@ use super::plan::Plan;
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::report::Status;
-use crate::sim::contact::error_estimate::ErrorEstimate;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::mesh_error::{self, CELLS_IN_HALF_WIDTH, Surfaces, require_half};
 use crate::sim::contact::numbers::FrictionNumbers;
@@ -96,8 +95,8 @@ impl Halving {
             work.add(&solution);
             solution.error_estimate = mesh_error::estimate(&(&coarse).into(), &(&solution).into());
             observer(&solution);
-            let error =
-                solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate, &solution));
+            let FrictionNumbers { coefficient, fluid, .. } = solution.friction;
+            let error = solution.error_estimate.map_or(f64::INFINITY, |e| e.of_cells([coefficient, fluid]));
             let finer = Scene { grid: scene.grid.with_counts(|n| 2 * n), ..scene.clone() };
             let unsolved = solution.report.status != Status::Converged;
             if error <= accuracy || unsolved || !is_affordable(&finer) {
@@ -117,17 +116,6 @@ fn on(
     interrupt: Option<&Interrupt>,
 ) -> Result<PreparedContact, SimError> {
     prepare_heights(scene, interrupt, surfaces.on(&scene.grid()?)?)
-}
-
-/// The largest of the four errors that an accuracy of a rough contact bounds, without the part caused by the box, which
-/// does not depend on the cells.
-fn largest(estimate: &ErrorEstimate, solution: &ContactSolution) -> f64 {
-    let FrictionNumbers { coefficient, fluid, .. } = solution.friction;
-    let by_box = estimate.film_by_box;
-    let friction_by_box = if coefficient > 0.0 { by_box * fluid / coefficient } else { 0.0 };
-    let film = estimate.film_mean_central - by_box;
-    let friction = estimate.friction_coefficient - friction_by_box;
-    film.max(estimate.contact_load_ratio).max(estimate.contact_area_ratio).max(friction)
 }
 
 /// Whether a mesh has at most [`MAX_NODES`] nodes and fits the allowed memory.

@@ -104,9 +104,7 @@ impl MeshChoice {
             };
             let meshes = Meshes::solve((&mut scene, interrupt.as_ref()), &hertz, &plan, &mut seen)?;
             let (mut solution, estimate) = meshes.estimate(scene.is_lubricated(), spike_growth);
-            let reached = estimate.map_or(f64::INFINITY, |e| {
-                if scene.is_lubricated() { e.film_central } else { e.pressure_max }
-            });
+            let reached = estimate.map_or(f64::INFINITY, |e| e.of_smooth(scene.is_lubricated()));
             let by_box = solution.box_error;
             let mesh = (reached - by_box) / (accuracy - by_box.min(BOX_SHARE * accuracy));
             let finer = Plan { cell: plan.cell * (0.8 / mesh).sqrt().clamp(0.5, 0.9), ..plan };
