@@ -14,21 +14,24 @@ const PAGES: [(&str, &str); 5] = [
 const HEADINGS: [&str; 4] = ["field", "column", "result", "number"];
 
 /// How a result is asked for, the closest first.
-const WAYS: [fn(&str, &str) -> bool; 3] = [is_name, is_ending, is_table];
+const WAYS: [fn(&str, &str) -> bool; 2] = [is_name, is_ending];
 
 /// The explanation of the result `asked`: as in JSON (`film.lambda`), as the column of a table (`film_lambda`, `friction_power_W`), without its
 /// table (`kappa`), or a table (`error_estimate`), by its first entry.
 pub(super) fn output(asked: &str) -> Option<String> {
-    WAYS.into_iter().find_map(|is_asked| {
+    let by_name = WAYS.into_iter().find_map(|is_asked| {
         // Of names that are equally long that of the first page.
         let pages = PAGES.iter().rev();
-        let found = pages.filter_map(|(page, content)| row_of(|name| is_asked(asked, name), page, content));
+        let length = |name: &str| is_asked(asked, name).then_some(name.len());
+        let found = pages.filter_map(|(page, content)| row_of(length, page, content));
         found.max_by_key(|(length, _)| *length).map(|(_, text)| text)
-    })
+    });
+    let first = |name: &str| is_table(asked, name).then_some(1);
+    by_name.or_else(|| PAGES.iter().find_map(|(page, content)| Some(row_of(first, page, content)?.1)))
 }
 
-/// The row of `page` with the longest name that `is_asked`, with the length of the name.
-fn row_of(is_asked: impl Fn(&str) -> bool, page: &str, content: &str) -> Option<(usize, String)> {
+/// The first row of `page` with a name of the largest `weight`, and this weight; names without weight are left out.
+fn row_of(weight: impl Fn(&str) -> Option<usize>, page: &str, content: &str) -> Option<(usize, String)> {
     let (mut headings, mut best): (Vec<String>, Option<(usize, String)>) = (Vec::new(), None);
     for line in content.lines() {
         let Some(cells) = cells(line) else {
@@ -44,15 +47,15 @@ fn row_of(is_asked: impl Fn(&str) -> bool, page: &str, content: &str) -> Option<
         // Rows that refer to another table have no meaning of their own.
         let has_meaning = of_results && cells.get(1).is_some_and(|meaning| meaning != "as above");
         let Some((names, rest)) = cells.split_first().filter(|_| has_meaning) else { continue };
-        let matching = quoted(names).into_iter().filter(|name| is_asked(name));
-        let Some(name) = matching.max_by_key(String::len) else { continue };
-        if best.as_ref().is_some_and(|(length, _)| *length >= name.len()) {
+        let weighted = quoted(names).into_iter().filter_map(|name| Some((weight(&name)?, name)));
+        let Some((heaviest, name)) = weighted.max_by_key(|(weight, _)| *weight) else { continue };
+        if best.as_ref().is_some_and(|(weight, _)| *weight >= heaviest) {
             continue;
         }
         let named = headings.iter().skip(1).zip(rest).filter(|(_, cell)| !cell.is_empty());
         let lines: String =
             named.map(|(heading, cell)| format!("\n  {}: {}", plain(heading), plain(cell))).collect();
-        best = Some((name.len(), format!("result {name}{lines}\n  page: {page}")));
+        best = Some((heaviest, format!("result {name}{lines}\n  page: {page}")));
     }
     best
 }
@@ -99,7 +102,7 @@ mod tests {
             ("kappa", "viscosity ratio"),
             ("film.formula_central", "docs/running.md"),
             ("friction_coefficient_sd", "standard deviation"),
-            ("error_estimate", "null"),
+            ("error_estimate", "relative error of the central film"),
         ] {
             let text = output(asked).unwrap_or_default();
             assert!(text.contains(part), "{asked}: {text}");
