@@ -177,6 +177,9 @@ fn bearings_of_scene_files_have_closed_forms() {
     let same =
         JournalBearing::new([0.05, 0.05, 5e-5], 20.0 * PI, &oil).with_cells([90, 16]).solve(0.5).unwrap();
     assert!((journal.load / same.load - 1.0).abs() < 1e-9, "{journal:?} {}", same.load);
+    // The diameter of the journal is that of a rate alone.
+    let rate = solve(&format!("{JOURNAL}speed = \"600 rpm\"\neccentricity = 0.5\n"));
+    assert!((rate.load / journal.load - 1.0).abs() < 1e-12, "{rate:?}");
     let loaded = solve(&format!("{JOURNAL}speed = \"600 rpm on 100 mm\"\nload = \"{} N\"\n", journal.load));
     assert!((loaded.eccentricity.unwrap() - 0.5).abs() < 1e-5);
 }
@@ -187,7 +190,12 @@ fn wrong_bearings_are_refused_with_a_remedy() {
         (format!("{JOURNAL}speed = 1.0\n"), ["load", "missing"]),
         (format!("{JOURNAL}speed = 1.0\nload = 10.0\neccentricity = 0.5\n"), ["load", "only one"]),
         (format!("{JOURNAL}eccentricity = 0.5\n"), ["speed", "missing"]),
-        (format!("{JOURNAL}speed = \"600 rpm\"\nload = 10.0\n"), ["given_film.speed", "rpm on 40 mm"]),
+        // A pad has no diameter for a rate of rotation.
+        (
+            "kind = \"pad\"\nlength = 0.1\nspeed = \"600 rpm\"\ninlet_film = 2e-5\noutlet_film = 1e-5\n"
+                .to_owned(),
+            ["given_film.speed", "rpm on 40 mm"],
+        ),
         (format!("{JOURNAL}speed = -1.0\nload = 10.0\n"), ["given_film.speed = -1", "> 0"]),
         (format!("{JOURNAL}speed = 1.0\nload = \"-3 N\"\n"), ["given_film.load = -3", "> 0"]),
         (

@@ -69,6 +69,19 @@ fn conformal_bodies_warn_by_their_own_radii() {
     assert_eq!(warned_under(0.31), (true, false));
 }
 
+/// A ball deep in the groove of a ring: the remedy is about the osculation, `6.6/12.7`, and not about a bush.
+#[test]
+fn groove_of_a_ball_is_described_by_its_osculation() {
+    let form =
+        "kind = \"ellipsoid\"\nradii_x = [\"6.35 mm\", \"20 mm\"]\nradii_y = [\"6.35 mm\", \"-6.6 mm\"]\n";
+    let mut scene = Scene::from_toml(&scene(form, STEEL)).unwrap();
+    scene.load = stribeck::sim::scene::Load::hertz_pressure(6e9);
+    let warnings = scene.warnings();
+    let warning = warnings.iter().find(|warning| warning.field == "load.hertz_pressure").unwrap();
+    assert!(warning.remedy.contains("osculation") && warning.remedy.contains("0.5197"), "{warning:?}");
+    assert!(!warning.remedy.contains("journal"), "{warning:?}");
+}
+
 #[test]
 fn named_materials_give_the_modulus_of_the_pair() {
     let scene = Scene::from_toml(&scene("kind = \"sphere\"\nradius = 1e-2\n", STEEL)).unwrap();

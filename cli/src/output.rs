@@ -203,7 +203,8 @@ pub(crate) fn contact(path: &Path, file: SceneFile) -> Result<Scene, String> {
     let is = match file {
         SceneFile::Contact(scene) => return Ok(*scene),
         SceneFile::Bearing(_) => {
-            "[given_film] is a rigid bearing, which `stribeck check`, `solve` and `curve` take"
+            "[given_film] is a rigid bearing, which `stribeck check`, `solve` and `curve` take; `stribeck curve --over speed` (or load, \
+             temperature) solves it for several values"
         }
         _ => {
             "form.kind = \"flat\" is a contact of flat surfaces, which `stribeck solve` takes, one load.mean_pressure or \
@@ -243,7 +244,13 @@ pub(crate) fn quantity(dimension: Dimension, field: &str, text: &str) -> Result<
 pub(crate) fn positive(dimension: Dimension, field: &str, text: &str) -> Result<f64, InputError> {
     let value = quantity(dimension, field, text)?;
     let requirement = match dimension {
-        Dimension::Speed => "finite and > 0: the oil flows along +x",
+        Dimension::Speed => "finite and > 0, such as \"0.5 m/s\": the oil flows along +x",
+        Dimension::Length => "finite and > 0, such as \"10 mm\"",
+        Dimension::Force => "finite and > 0, such as \"20 N\"",
+        Dimension::ForcePerLength => "finite and > 0, such as \"100 kN/m\"",
+        Dimension::Viscosity => "finite and > 0, such as \"10 mPa s\"",
+        Dimension::InversePressure => "finite and > 0, such as \"18 1/GPa\"",
+        Dimension::Temperature => "above absolute zero, such as \"40 degC\"",
         _ => "finite and > 0",
     };
     require(value > 0.0, field, value, requirement)

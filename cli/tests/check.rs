@@ -135,6 +135,51 @@ fn explain_has_all_keys_of_the_examples() {
     }
 }
 
+/// All names in `value`; those of the objects in a list are behind the name of the list.
+fn names(value: &serde_json::Value, before: &str, found: &mut Vec<String>) {
+    match value {
+        serde_json::Value::Object(entries) => entries.iter().for_each(|(name, value)| {
+            let path = if before.is_empty() { name.clone() } else { format!("{before}.{name}") };
+            names(value, &path, found);
+        }),
+        serde_json::Value::Array(values) if values.iter().any(serde_json::Value::is_object) => {
+            found.push(before.to_owned());
+            values.iter().for_each(|value| names(value, "", found));
+        }
+        _ => found.push(before.to_owned()),
+    }
+}
+
+#[test]
+fn explain_has_all_names_of_json_outputs() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = text(folder.path());
+    let example = |name: &str| text(&repository(&format!("examples/scenes/{name}.toml"))).to_owned();
+    let (rough, smooth) = (example("rough"), example("mtm"));
+    let (journal, flat) = (example("journal"), example("flat"));
+    let curve = ["--points", "2", "--seeds", "2", "--model", "asperity_inlets", "--out", out];
+    let mut found = Vec::new();
+    for arguments in [
+        ["solve", &smooth].as_slice(),
+        &["check", &example("roller_bearing")],
+        &["check", &rough],
+        &["solve", &journal],
+        &["check", &journal],
+        &["solve", &flat],
+        &[["curve", &rough].as_slice(), &curve].concat(),
+        &["curve", &journal, "--points", "2", "--out", out],
+    ] {
+        names(&json_of(&stribeck(&[arguments, &["--json"]].concat())), "", &mut found);
+    }
+    found.sort();
+    found.dedup();
+    assert!(found.contains(&"film.formula_central".to_owned()) && found.len() > 100, "{found:?}");
+    for name in found {
+        let output = stribeck(&["explain", &name]);
+        assert!(output.status.success(), "{name}: {}", error_of(&output));
+    }
+}
+
 #[test]
 fn explain_prints_the_words_of_the_book() {
     let explained = |words: &[&str]| {
@@ -207,6 +252,74 @@ fn rigid_bearing_is_solved_under_its_load() {
 }
 
 /// The line of `report` that begins with `word`.
+/// A rate of rotation is on the diameter of the journal, and a warning names another one.
+#[test]
+fn rate_of_rotation_is_on_the_diameter_of_the_journal() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.toml");
+    let solved = |speed: &str| {
+        std::fs::write(&path, BEARING.replace("1500 rpm on 50 mm", speed)).unwrap();
+        json_of(&stribeck(&["solve", text(&path), "--json"]))
+    };
+    let (own, stated) = (solved("1500 rpm"), solved("1500 rpm on 50 mm"));
+    assert_eq!(own["friction_moving"], stated["friction_moving"]);
+    assert!(
+        own["warnings"].as_array().unwrap().is_empty()
+            && solved("1500 rpm on 50.4 mm")["warnings"][0].is_null()
+    );
+    let warning = &solved("1500 rpm on 40 mm")["warnings"][0];
+    let message = warning["message"].as_str().unwrap();
+    assert!(message.contains("40.000 mm") && message.contains("50.000 mm"), "{warning}");
+    assert_eq!(warning["field"], "given_film.speed");
+    std::fs::write(&path, BEARING.replace("1500 rpm on 50 mm", "1500 rpm at 50 mm")).unwrap();
+    common::assert_refused(&["solve", text(&path)], &["given_film.speed", "rpm"]);
+}
+
+/// An oil that cavitates below an absolute vacuum is solved with a warning.
+#[test]
+fn cavitation_below_a_vacuum_is_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.toml");
+    for (pressure, is_warned) in [("-1 bar", false), ("-5 bar", true)] {
+        let scene = BEARING.replace("nx = 90", &format!("cavitation_pressure = \"{pressure}\"\nnx = 90"));
+        std::fs::write(&path, scene).unwrap();
+        let numbers = json_of(&stribeck(&["solve", text(&path), "--json"]));
+        let warnings = numbers["warnings"].as_array().unwrap();
+        let found = warnings.iter().find(|warning| warning["field"] == "given_film.cavitation_pressure");
+        assert_eq!(found.is_some(), is_warned, "{warnings:?}");
+        assert!(found.is_none_or(|warning| warning["value"] == -5e5), "{found:?}");
+    }
+}
+
+/// All missing keys of a bearing are named at once, one alone with its line or its meaning.
+#[test]
+fn missing_keys_of_a_bearing_are_named_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bearing.toml");
+    for (scene, missing) in [
+        ("kind = \"journal\"\n", ["given_film.diameter", "given_film.speed", "given_film.load", "lubricant"]),
+        (
+            "kind = \"pad\"\n",
+            ["given_film.length", "given_film.inlet_film", "given_film.outlet_film", "lubricant"],
+        ),
+        (
+            "kind = \"step\"\nload = 1\n",
+            ["given_film.length", "given_film.step", "given_film.taper", "lubricant"],
+        ),
+    ] {
+        std::fs::write(&path, format!("[given_film]\n{scene}")).unwrap();
+        common::assert_refused(&["solve", text(&path)], &[["missing keys: "].as_slice(), &missing].concat());
+    }
+    std::fs::write(&path, BEARING.replace("width = \"25 mm\"\n", "").replace("load = \"1 kN\"\n", ""))
+        .unwrap();
+    common::assert_refused(&["solve", text(&path)], &["missing keys: `given_film.width`, `given_film.load`"]);
+    std::fs::write(&path, BEARING.replace("load = \"1 kN\"\n", "")).unwrap();
+    common::assert_refused(&["solve", text(&path)], &["missing key `load`, or `eccentricity`"]);
+    std::fs::write(&path, BEARING).unwrap();
+    let sweep = ["sweep", text(&path), "--over", "given_film.load=1,2", "--out", text(folder.path())];
+    common::assert_refused(&sweep, &["stribeck curve --over speed"]);
+}
+
 fn report_line(report: &str, word: &str) -> String {
     report.lines().find(|line| line.starts_with(word)).unwrap().to_owned()
 }

@@ -153,13 +153,13 @@ fn check_tells_what_to_expect() {
     assert_eq!(numbers["hertz"]["half_width_x"], hertz.half_width_x);
     assert_eq!(numbers["moes"]["m"], film.moes.m);
     let density = DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap().ratio(hertz.pressure);
-    assert_eq!(numbers["film"]["formula_central"], film.map.central / density);
+    assert_eq!(numbers["film"]["formula_central"], film.central / density);
     assert_eq!(numbers["regime"], "piezoviscous-elastic");
     let rq = numbers["roughness"]["composite_rq"].as_f64().unwrap();
     assert!((rq / 20e-9_f64.hypot(130e-9) - 1.0).abs() < 0.2, "on the track: {rq}");
     let solved = solve_contact(&scene).unwrap();
     assert!((rq / solved.roughness.composite_rq - 1.0).abs() < 1e-12, "as `solve` has it");
-    assert_eq!(numbers["film"]["formula_lambda"], film.map.central / density / rq);
+    assert_eq!(numbers["film"]["formula_lambda"], film.central / density / rq);
     let length = numbers["roughness"]["correlation_length"].as_f64().unwrap();
     assert!((length - 20e-6).abs() < scene.grid().unwrap().dx(), "within a cell: {length}");
     assert_eq!(numbers["grid"]["cells_in_half_width"], hertz.half_width_x / scene.grid().unwrap().dx());
@@ -177,7 +177,7 @@ fn check_tells_what_to_expect() {
     let report = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
     for words in [
         "Hertz",
-        "by the formula of Moes",
+        "by the formula of Hamrock and Dowson",
         "lambda",
         "32 x 32 cells",
         "tribofilm, wear",

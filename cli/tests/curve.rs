@@ -351,5 +351,8 @@ fn model_of_a_curve_follows_the_option() {
     let starved = rough(folder.path(), &[("[lubricant]", "[lubricant]\nsupplied_film = 1e-7\n#")]);
     let arguments = ["curve", text(&starved), "--model", "asperity_inlets", "--points", "2"];
     assert_refused(&arguments, &["asperity_inlets", "lubricant.supplied_film"]);
+    let estimated = rough(folder.path(), &[("[solver]", "[solver]\nestimate = true")]);
+    let arguments = ["curve", text(&estimated), "--model", "asperity_inlets", "--points", "2"];
+    assert_refused(&arguments, &["solver.estimate = true", "leave out solver.estimate"]);
     assert_refused(&["curve", text(&fine), "--resolve", "0"], &["--resolve = \"0\""]);
 }

@@ -101,7 +101,7 @@ const CASES: [Case; 10] = [
             ),
         ],
         field: "film.formula_central",
-        words: "outside the range of the formula",
+        words: "outside the range of the formula of Hamrock and Dowson",
         in_run: true,
     },
     Case {

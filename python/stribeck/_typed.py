@@ -240,6 +240,7 @@ class SolvedContact(Solved):
     __slots__ = ()
     hertz: Hertz
     moes: Moes | None
+    film_formula: str | None
     film: Film
     pressure: Pressure
     contact: Contact
@@ -302,6 +303,7 @@ class ExpectedFilm(Numbers):
     __slots__ = ()
     map: FilmMap
     central: float
+    formula: str
     lambda_: float | None
     load_ratio: float | None
     inlet_number: float | None

@@ -49,7 +49,7 @@ use crate::reynolds::ContactSolver;
 
 pub use contact::error_estimate::ErrorEstimate;
 pub use contact::far_field::FloodedInlet;
-pub use contact::formula::FormulaFilm;
+pub use contact::formula::{FilmFormula, FormulaFilm};
 pub use contact::numbers::{
     ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, Moes, PlasticNumbers, PressureNumbers,
     RoughnessNumbers, StarvationNumbers, StressNumbers, ThermalNumbers, WearNumbers,

@@ -195,6 +195,7 @@ impl Expected {
             "elasticity_parameter": film.map(|film| film.map.elasticity_parameter),
             "film": {
                 "formula_central": film.map(|film| film.central),
+                "formula": film.map(|film| film.formula),
                 "formula_lambda": film.and_then(|film| film.lambda),
             },
             "contact": {

@@ -98,7 +98,7 @@ pub(crate) struct Options {
     viscosity_index: Option<f64>,
     /// Temperature of the contact, for the oil of this grade [default: 40 degC]
     #[arg(
-        long, requires = "grade",
+        long, allow_hyphen_values = true, requires = "grade",
         value_parser = |text: &str| output::positive(Dimension::Temperature, "--temperature", text)
     )]
     temperature: Option<f64>,
@@ -268,7 +268,7 @@ fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>>
 /// starvation).
 fn flooded_inlet(scene: &Scene, half_width: f64) -> Result<f64, InputError> {
     let (radius, _) = scene.form.radii();
-    let film = scene.formula_film()?.map_or(0.0, |formula| formula.map.central);
+    let film = scene.formula_film()?.map_or(0.0, |formula| formula.central);
     Ok((1.0 + 3.06 * (radius * film / (half_width * half_width)).powf(0.58)).max(BOX))
 }
 

@@ -152,17 +152,14 @@ pub(crate) fn contact(json: &Value, lubricated: bool, line: bool) -> String {
 /// Numbers below each other, with their errors and units.
 pub(crate) fn list(json: &Value, numbers: &[Number<'_>]) -> String {
     let rows = numbers.iter().filter_map(|number| {
-        let value = cell(json, number.key, [number.factor, number.offset])?;
-        let error = match number.error {
-            ErrorOf::None => None,
-            ErrorOf::Relative(key) => cell(json, key, [100.0, 0.0]).map(|error| format!(" ± {error} %")),
-            ErrorOf::Absolute(key) => {
-                cell(json, key, [number.factor, 0.0]).map(|error| format!(" ± {error}"))
-            }
-        };
-        let error = error.unwrap_or_default();
+        let value = cell(json, number.key, [number.factor, number.offset], FOUR)?;
+        let error = error_of(json, number, |key| key.to_owned());
         let [name, unit] = [number.name, number.unit].map(escape);
-        Some(format!("<tr><th>{name}</th><td>{value}{error}</td><td>{unit}</td></tr>"))
+        Some(match number.error {
+            // An error in per cent follows the unit of the value.
+            ErrorOf::Relative(_) => format!("<tr><th>{name}</th><td>{value}</td><td>{unit}{error}</td></tr>"),
+            _ => format!("<tr><th>{name}</th><td>{value}{error}</td><td>{unit}</td></tr>"),
+        })
     });
     format!("<table class=\"list\"><tbody>{}</tbody></table>\n", rows.collect::<String>())
 }
@@ -181,18 +178,9 @@ pub(crate) fn rows(json: &Value, array: &str, columns: &[Number<'_>], most: usiz
     let body = (0..entries).step_by(every).map(|k| {
         let cells = columns.iter().map(|column| {
             let key = |name: &str| format!("{array}.{k}.{name}");
-            let value = cell(json, &key(column.key), [column.factor, column.offset])
+            let value = cell(json, &key(column.key), [column.factor, column.offset], FOUR)
                 .unwrap_or_else(|| "-".to_owned());
-            let error = match column.error {
-                ErrorOf::None => None,
-                ErrorOf::Relative(name) => {
-                    cell(json, &key(name), [100.0, 0.0]).map(|error| format!(" ± {error} %"))
-                }
-                ErrorOf::Absolute(name) => {
-                    cell(json, &key(name), [column.factor, 0.0]).map(|error| format!(" ± {error}"))
-                }
-            };
-            format!("<td>{value}{}</td>", error.unwrap_or_default())
+            format!("<td>{value}{}</td>", error_of(json, column, key))
         });
         format!("<tr>{}</tr>", cells.collect::<String>())
     });
@@ -223,12 +211,30 @@ fn numbers_in(json: &Value, before: &str, keys: &mut Vec<String>) {
     }
 }
 
-/// The number under `key`, times a factor plus an offset, marked with all three.
-fn cell(json: &Value, key: &str, [factor, offset]: [f64; 2]) -> Option<String> {
+/// The error of `number` behind its value; `key` is the path of a name in `json`. Empty without one.
+fn error_of(json: &Value, number: &Number<'_>, key: impl Fn(&str) -> String) -> String {
+    let error = match number.error {
+        ErrorOf::None => None,
+        ErrorOf::Relative(name) => {
+            cell(json, &key(name), [100.0, 0.0], TWO).map(|error| format!(" ± {error} %"))
+        }
+        ErrorOf::Absolute(name) => {
+            cell(json, &key(name), [number.factor, 0.0], TWO).map(|error| format!(" ± {error}"))
+        }
+    };
+    error.unwrap_or_default()
+}
+
+/// Significant digits of values and of errors.
+const FOUR: i32 = 4;
+const TWO: i32 = 2;
+
+/// The number under `key` with so many `significant` digits, times a factor plus an offset, marked with all three.
+fn cell(json: &Value, key: &str, [factor, offset]: [f64; 2], significant: i32) -> Option<String> {
     let value = value_at(json, key)?;
     let key = escape(key);
     let shift = if offset == 0.0 { String::new() } else { format!(" data-offset=\"{offset}\"") };
-    let shown = digits(factor * value + offset);
+    let shown = digits(factor * value + offset, significant);
     Some(format!("<span data-key=\"{key}\" data-factor=\"{factor:e}\"{shift}>{shown}</span>"))
 }
 
@@ -243,26 +249,31 @@ fn value_at(json: &Value, key: &str) -> Option<f64> {
     value.as_f64()
 }
 
-/// Four digits; whole numbers with all of theirs.
-fn digits(value: f64) -> String {
+/// `significant` digits; whole numbers with all of theirs.
+fn digits(value: f64, significant: i32) -> String {
     let size = value.abs();
     if size < 1e7 && value.fract() == 0.0 {
         format!("{value}")
     } else if (1e-3..1e5).contains(&size) {
-        let decimals = (3.0 - size.log10().floor()).max(0.0) as usize;
+        let decimals = (significant - 1 - size.log10().floor() as i32).max(0) as usize;
         format!("{value:.decimals$}")
     } else {
-        format!("{value:.3e}")
+        format!("{value:.*e}", (significant - 1).max(0) as usize)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::digits;
+    use super::{FOUR, TWO, digits};
 
     #[test]
     fn numbers_have_four_digits_and_whole_ones_all() {
-        let shown = [0.0, 128.0, 23.976, 0.070_689, 99_999.6, 4.2e-7, -1.5, 0.99996].map(digits);
+        let shown =
+            [0.0, 128.0, 23.976, 0.070_689, 99_999.6, 4.2e-7, -1.5, 0.99996].map(|value| digits(value, FOUR));
         assert_eq!(shown, ["0", "128", "23.98", "0.07069", "100000", "4.200e-7", "-1.500", "1.0000"]);
+        assert_eq!(
+            [4.376, 12.0, 0.0312, 123.4].map(|value| digits(value, TWO)),
+            ["4.4", "12", "0.031", "123"]
+        );
     }
 }

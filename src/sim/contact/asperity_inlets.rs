@@ -25,9 +25,6 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
         return Ok(());
     }
     let oil = scene.lubricant;
-    let several_meshes = scene.solver.estimate
-        || scene.solver.accuracy.is_some()
-        || matches!(scene.grid, GridSpec::Accuracy { .. });
     let found = [
         (oil.is_none(), "it needs a lubricant"),
         (scene.solver.kind != SolverKind::Auto, "solver.kind selects another solver; leave it out"),
@@ -48,8 +45,16 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
         (scene.friction.flow_thinning.is_some(), "friction.flow_thinning needs the resolved model"),
         (film_temperature::models_film_temperature(scene), "lubricant.thermal needs the resolved model"),
         (
-            several_meshes,
-            "errors by several meshes (solver.estimate, solver.accuracy, grid.accuracy) need the resolved model",
+            scene.solver.estimate,
+            "solver.estimate = true estimates errors by several meshes, which need the resolved model; leave out solver.estimate",
+        ),
+        (
+            scene.solver.accuracy.is_some(),
+            "solver.accuracy estimates errors by several meshes, which need the resolved model; leave out solver.accuracy",
+        ),
+        (
+            matches!(scene.grid, GridSpec::Accuracy { .. }),
+            "grid.accuracy estimates errors by several meshes, which need the resolved model; give nx, ny, x and y in its place",
         ),
     ];
     match found.into_iter().find(|(applies, _)| *applies) {

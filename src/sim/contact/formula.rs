@@ -1,13 +1,48 @@
 //! Film formulas applied to a scene.
 
+use std::fmt;
+
 use crate::analytic::{FilmConditions, FilmMap, FilmRegime, HertzPoint, LineFilmConditions};
+use crate::displayed::serialize_as_displayed;
 use crate::error::InputError;
-use crate::lubricant::ViscosityLaw;
+use crate::lubricant::{DensityLaw, ViscosityLaw};
 use crate::sim::contact::numbers::Moes;
 use crate::sim::contact::oil;
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::{HertzContact, LINE_LENGTH};
 use crate::sim::scene::operating_schedule::Conditions;
+
+/// Formula of the central film of a scene.
+///
+/// ```
+/// use stribeck::sim::{FilmFormula, Scene};
+/// let film = Scene::azam_2019(32).formula_film()?.ok_or("dry")?;
+/// assert_eq!(film.formula, FilmFormula::HamrockDowson);
+/// assert_eq!(film.formula.to_string(), "Hamrock and Dowson");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FilmFormula {
+    /// Hamrock and Dowson: piezoviscous-elastic point contacts.
+    HamrockDowson,
+    /// Dowson and Toyoda: piezoviscous-elastic line contacts.
+    DowsonToyoda,
+    /// Moes for all regimes: contacts of the other regimes.
+    Moes,
+}
+
+impl fmt::Display for FilmFormula {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::HamrockDowson => "Hamrock and Dowson",
+            Self::DowsonToyoda => "Dowson and Toyoda",
+            Self::Moes => "Moes for all regimes",
+        })
+    }
+}
+
+serialize_as_displayed!(FilmFormula);
 
 /// Film of a scene by formula.
 ///
@@ -26,22 +61,25 @@ use crate::sim::scene::operating_schedule::Conditions;
 pub struct FormulaFilm {
     /// Moes' parameters.
     pub moes: Moes,
-    /// Central film of loaded steel contacts \[m\]: Hamrock and Dowson for a point contact, Dowson and Toyoda for a line
-    /// contact. For an oil without pressure-viscosity effect that of Moes, for an elliptic soft contact that of Hamrock
-    /// and Dowson.
+    /// Central film of an incompressible oil \[m\].
     pub central: f64,
+    /// Formula of `central`.
+    pub formula: FilmFormula,
     /// Regime, and the film by a formula for all regimes.
     pub map: FilmMap,
 }
 
 impl FormulaFilm {
-    /// Central film by the formula of the regime \[m\]: [`central`](Self::central) for piezoviscous-elastic contacts,
-    /// otherwise the formula for all regimes.
-    pub(in crate::sim) fn of_its_regime(&self) -> f64 {
-        match self.map.regime {
-            FilmRegime::PiezoviscousElastic => self.central,
-            _ => self.map.central,
-        }
+    /// Central film at most the `supplied` one, over the relative density of the oil at the Hertz pressure \[m\]: film
+    /// formulas are for incompressible oils, and the oil of the inlet fills less height once it is compressed.
+    pub(in crate::sim) fn compressed(
+        &self,
+        scene: &Scene,
+        hertz: &HertzContact,
+        density: Option<&dyn DensityLaw>,
+    ) -> f64 {
+        let supplied = scene.lubricant.and_then(|oil| oil.supplied_film).unwrap_or(f64::INFINITY);
+        self.central.min(supplied) / density.map_or(1.0, |law| law.ratio(hertz.pressure))
     }
 }
 
@@ -77,7 +115,6 @@ pub(in crate::sim) fn formula_film(
     let Some(law) = viscosity else { return Ok(None) };
     let equivalent_modulus = scene.equivalent_modulus()?;
     let (eta0, alpha) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
-    let thickens = alpha > 0.0;
     let ((radius, _), load) = (scene.form.radii_of_entrainment(), hertz.force);
     Ok(Some(if scene.form.is_line() {
         let line = LineFilmConditions {
@@ -88,11 +125,12 @@ pub(in crate::sim) fn formula_film(
             radius,
             load: load / LINE_LENGTH,
         };
-        FormulaFilm {
-            moes: Moes { m: line.moes_load(), l: line.moes_lubricant() },
-            central: if thickens { line.dowson_toyoda_central()? } else { line.moes_central()? },
-            map: line.film_map()?,
-        }
+        let map = line.film_map()?;
+        let (formula, central) = match map.regime {
+            FilmRegime::PiezoviscousElastic => (FilmFormula::DowsonToyoda, line.dowson_toyoda_central()?),
+            _ => (FilmFormula::Moes, map.central),
+        };
+        FormulaFilm { moes: Moes { m: line.moes_load(), l: line.moes_lubricant() }, central, formula, map }
     } else {
         let point = FilmConditions {
             entrainment_speed,
@@ -103,16 +141,12 @@ pub(in crate::sim) fn formula_film(
             load,
             ellipticity: ellipticity(scene, hertz)?,
         };
-        let is_circle = (point.ellipticity - 1.0).abs() < 1e-9;
-        FormulaFilm {
-            moes: Moes { m: point.moes_load(), l: point.moes_lubricant() },
-            central: match (thickens, is_circle) {
-                (true, _) => point.hamrock_dowson_central()?,
-                (false, true) => point.moes_central()?,
-                (false, false) => point.hamrock_dowson_soft()?,
-            },
-            map: point.film_map()?,
-        }
+        let map = point.film_map()?;
+        let (formula, central) = match map.regime {
+            FilmRegime::PiezoviscousElastic => (FilmFormula::HamrockDowson, point.hamrock_dowson_central()?),
+            _ => (FilmFormula::Moes, map.central),
+        };
+        FormulaFilm { moes: Moes { m: point.moes_load(), l: point.moes_lubricant() }, central, formula, map }
     }))
 }
 
@@ -138,5 +172,5 @@ pub(in crate::sim) fn stated_film(
 ) -> Result<f64, InputError> {
     let alpha = scene.lubricant.and_then(|lubricant| lubricant.formula_alpha);
     let film = formula_film(scene, hertz, conditions.motion.entrainment_speed, law, alpha)?;
-    Ok(film.map_or(0.0, |film| film.of_its_regime()))
+    Ok(film.map_or(0.0, |film| film.central))
 }

@@ -154,7 +154,7 @@ impl ContactModel {
 
     /// Central film of the smooth contact by the formula of its regime; zero without lubricant \[m\].
     pub(in crate::sim) fn formula_film(&self) -> f64 {
-        self.formulas.map_or(0.0, |formulas| formulas.of_its_regime())
+        self.formulas.map_or(0.0, |formulas| formulas.central)
     }
 
     /// The contact problem with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`; its solver

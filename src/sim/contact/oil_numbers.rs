@@ -61,7 +61,7 @@ impl Scene {
         let speed = conditions.motion.entrainment_speed;
         let film = |alpha: f64| {
             let film = formula_film(self, &hertz, speed, Some(&*law), Some(alpha))?;
-            Ok::<f64, InputError>(film.map_or(f64::NAN, |film| film.of_its_regime()))
+            Ok::<f64, InputError>(film.map_or(f64::NAN, |film| film.central))
         };
         let film_uncertainty = if alpha_uncertainty > 0.0 && speed > 0.0 {
             film(alpha * (1.0 + alpha_uncertainty))? / film(alpha)? - 1.0

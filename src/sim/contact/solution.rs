@@ -6,6 +6,7 @@ use crate::reynolds::{Cavitation, ContactDefinition, ContactState, FaceMobility,
 use crate::sim::contact::error_estimate::ErrorEstimate;
 use crate::sim::contact::far_field::Inlet;
 use crate::sim::contact::film_heat::Solved;
+use crate::sim::contact::formula::FilmFormula;
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::model::ContactModel;
 use crate::sim::contact::numbers::{
@@ -41,6 +42,8 @@ pub struct ContactSolution {
     pub hertz: HertzContact,
     /// Moes' parameters; `None` for a dry contact.
     pub moes: Option<Moes>,
+    /// Formula of `film.formula_ratio` and `film.formula_lambda`; `None` for a dry contact.
+    pub film_formula: Option<FilmFormula>,
     /// Treatment of the inlets of asperities; `None` for a dry contact.
     pub model: Option<SolverModel>,
     /// Entrainment scheme; `None` for a dry contact and with `SolverModel::AsperityInlets`, as the next four fields.
@@ -131,6 +134,7 @@ impl ContactModel {
             grid: self.grid,
             hertz: self.hertz.per_metre(&self.grid),
             moes: self.formulas.map(|formulas| formulas.moes),
+            film_formula: self.formulas.map(|formulas| formulas.formula),
             film: numbers.film,
             pressure: numbers.pressure,
             contact: numbers.contact,

@@ -100,7 +100,9 @@ impl ContactSolution {
                     } else {
                         ""
                     };
-                    format!("; {which} over formula {ratio:.3}{limit}")
+                    let formula =
+                        self.film_formula.map_or_else(String::new, |formula| format!(" of {formula}"));
+                    format!("; {which} over formula{formula} {ratio:.3}{limit}")
                 })
             )?;
         }
@@ -233,6 +235,7 @@ mod named {
 
     use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, FlowBalance, Scheme};
     use crate::sim::contact::error_estimate::ErrorEstimate;
+    use crate::sim::contact::formula::FilmFormula;
     use crate::sim::contact::numbers::{
         ContactNumbers, FilmNumbers, FrictionNumbers, Moes, PressureNumbers, RoughnessNumbers,
         StarvationNumbers, StressNumbers, ThermalNumbers,
@@ -255,6 +258,7 @@ mod named {
         contact_definition: Option<ContactDefinition>,
         hertz: HertzContact,
         moes: Option<Moes>,
+        film_formula: Option<FilmFormula>,
         film: FilmNumbers,
         pressure: PressureNumbers,
         contact: ContactNumbers,
@@ -306,6 +310,7 @@ mod named {
                 contact_definition: self.contact_definition,
                 hertz: self.hertz,
                 moes: self.moes,
+                film_formula: self.film_formula,
                 film: self.film,
                 pressure: self.pressure,
                 contact: self.contact,

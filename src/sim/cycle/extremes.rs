@@ -63,7 +63,7 @@ impl Scene {
         let table = CycleTable::new(self)?;
         let mut films = Vec::with_capacity(table.rows.len());
         for (index, row) in table.rows.iter().enumerate().filter(|(_, row)| row.entrainment() != 0.0) {
-            let film = at_row(self, row).formula_film()?.map_or(0.0, |formula| formula.map.central);
+            let film = at_row(self, row).formula_film()?.map_or(0.0, |formula| formula.central);
             films.push((index, film));
         }
         let by_film = |a: &&(usize, f64), b: &&(usize, f64)| a.1.total_cmp(&b.1);

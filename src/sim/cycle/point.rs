@@ -27,8 +27,8 @@ pub struct CyclePoint {
     pub bulk_temperature: f64,
     /// Hertz pressure of the smooth bodies \[Pa\].
     pub hertz_pressure: f64,
-    /// Central film of a smooth steady contact at this speed by the formula for all regimes, over the relative density
-    /// of the oil at the Hertz pressure \[m\].
+    /// Central film of a smooth steady contact at this speed by the formula of its regime
+    /// ([`FormulaFilm`](crate::sim::FormulaFilm)), over the relative density of the oil at the Hertz pressure \[m\].
     pub formula_film: f64,
     /// Central film \[m\].
     pub film_central: f64,
@@ -64,7 +64,7 @@ impl CyclePoint {
     pub(super) fn of(row: &CycleRow, turn: Option<f64>, record: &StepRecord, contact: &ContactModel) -> Self {
         let hertz_pressure = contact.hertz.pressure;
         let density = contact.lubricant.as_ref().map_or(1.0, |oil| oil.density().ratio(hertz_pressure));
-        let formula_film = contact.formulas.map_or(0.0, |formulas| formulas.map.central) / density;
+        let formula_film = contact.formulas.map_or(0.0, |formulas| formulas.central) / density;
         let friction = record.friction.coefficient;
         Self {
             time: row.time,

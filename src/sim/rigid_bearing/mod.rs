@@ -22,12 +22,13 @@ use crate::report::Status;
 use crate::reynolds::{ElasticBore, GivenFilmSolution, MeanRoughness, ReynoldsError};
 use crate::sim::contact::oil;
 use crate::sim::contact::warnings::{
-    Warning, bearing_warnings, reject_oil_temperature, turbulent_film, unsolved_bearing,
+    Warning, bearing_warnings, other_diameter, reject_oil_temperature, tension, turbulent_film,
+    unsolved_bearing,
 };
 use crate::sim::error::SimError;
 use crate::sim::scene::{
     BearingFile, BearingSpec, Document, GrooveSpec, HeatBalance, HoleSpec, LubricantSpec, PadRelief,
-    RoughnessSpec,
+    RoughnessSpec, bearing_keys,
 };
 
 /// A rigid bearing by a scene file with the table `[given_film]`.
@@ -71,6 +72,9 @@ pub struct RigidBearing {
     pub roughness: Option<RoughnessSpec>,
     /// Cells along and across the motion.
     pub cells: [usize; 2],
+    /// Diameter \[m\] on which the speed of a journal is given as a rate of rotation; `None` for its own diameter and
+    /// for speeds in m/s.
+    pub speed_diameter: Option<f64>,
 }
 
 /// A solved bearing.
@@ -99,7 +103,8 @@ impl RigidBearing {
 
     /// Reads a parsed scene file.
     pub(super) fn read(document: &Document<'_>) -> Result<Self, SimError> {
-        let file: BearingFile = document.read(|_| Vec::new())?;
+        let file: BearingFile = document.read(bearing_keys)?;
+        document.require_keys(bearing_keys)?;
         let table = file.given_film;
         let refused = |reason: String| SimError::Scene {
             reason: format!("given_film: {reason}").replace("missing field", "missing key"),
@@ -116,6 +121,7 @@ impl RigidBearing {
             bore: table.bore().map_err(refused)?,
             roughness: table.roughness(),
             cells: table.cells(),
+            speed_diameter: document.speed_diameter,
             lubricant: file.lubricant.0,
             temperature: file.thermal.bulk_temperature,
         })
@@ -149,7 +155,12 @@ impl RigidBearing {
             let mean_film = solution.thickness.iter().sum::<f64>() / solution.thickness.len() as f64;
             let turbulent =
                 turbulent_film(&self.bearing, [mean_film, numbers.eta0, numbers.temperature], oil);
-            solution.warnings.extend(warnings.into_iter().chain(turbulent));
+            let scene = [
+                other_diameter(&self.bearing, self.speed_diameter),
+                tension(self.cavitation_pressure),
+                turbulent,
+            ];
+            solution.warnings.extend(warnings.into_iter().chain(scene.into_iter().flatten()));
         } else {
             solution.warnings.push(unsolved_bearing(
                 [solution.numbers.alpha, solution.numbers.viscosity_ratio],

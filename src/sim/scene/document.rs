@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, Deserializer};
 use toml::{Spanned, Table, Value};
 
-use super::{keys, plain_words};
+use super::{journal_speed, keys, plain_words};
 use crate::error::escape;
 use crate::sim::error::SimError;
 use crate::units::toml_line;
@@ -26,6 +26,8 @@ pub(in crate::sim) struct Document<'a> {
     places: Spanned<DeTable<'a>>,
     /// The tables in SI units.
     tables: Table,
+    /// Diameter \[m\] on which the speed of a journal is a rate of rotation, where the file states it.
+    pub(in crate::sim) speed_diameter: Option<f64>,
 }
 
 impl<'a> Document<'a> {
@@ -39,7 +41,8 @@ impl<'a> Document<'a> {
             let line = line_of(text, error.span().map_or(0, |span| span.start));
             SimError::Scene { reason: format!("line {line}: {}", message(error)) }
         })?;
-        let mut document = Self { text, places, tables };
+        let mut document = Self { text, places, tables, speed_diameter: None };
+        document.speed_diameter = journal_speed::complete(&mut document.tables)?;
         keys::convert(&mut document.tables)?;
         for (table, law) in DEFAULT_LAWS {
             if let Some(Value::Table(table)) = document.tables.get_mut(table) {
@@ -52,6 +55,20 @@ impl<'a> Document<'a> {
     /// The value at a path of names separated by dots.
     pub(in crate::sim) fn value(&self, path: &str) -> Option<&Value> {
         value_at(&self.tables, path)
+    }
+
+    /// Error that names the keys which `missing` finds absent, if they are several.
+    ///
+    /// # Errors
+    /// More than one missing key.
+    pub(in crate::sim) fn require_keys(
+        &self,
+        missing: impl Fn(&Table) -> Vec<String>,
+    ) -> Result<(), SimError> {
+        match missing(&self.tables) {
+            absent if absent.len() > 1 => Err(SimError::Scene { reason: all_missing(&absent) }),
+            _ => Ok(()),
+        }
     }
 
     /// Reads the tables. `missing` lists all missing keys of the tables.
@@ -73,7 +90,7 @@ impl<'a> Document<'a> {
         let (cause, mut path) = (error.message().to_owned(), path_of(&error));
         let is_missing = cause.starts_with("missing field");
         if is_missing && absent.len() > 1 {
-            return plain_words::with_remedy(format!("missing keys: `{}`", absent.join("`, `")));
+            return all_missing(&absent);
         }
         let mut place = path.clone();
         let mut tag = String::new();
@@ -123,6 +140,11 @@ impl<'a> Document<'a> {
         }
         line_of(self.text, start)
     }
+}
+
+/// The message about several missing keys.
+fn all_missing(absent: &[String]) -> String {
+    plain_words::with_remedy(format!("missing keys: `{}`", absent.join("`, `")))
 }
 
 /// Keys that select the other keys of a table.

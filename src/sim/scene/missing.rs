@@ -31,6 +31,13 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
     search.missing
 }
 
+/// Paths of the required keys missing from the tables of a rigid bearing.
+pub(in crate::sim) fn bearing_keys(scene: &Table) -> Vec<String> {
+    let mut search = Search { scene, missing: Vec::new() };
+    search.rigid_bearing();
+    search.missing
+}
+
 /// Search for missing keys of a scene.
 struct Search<'a> {
     scene: &'a Table,
@@ -39,6 +46,37 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
+    /// The bearing by its kind, and its oil.
+    fn rigid_bearing(&mut self) {
+        const TABLE: &str = "given_film";
+        let position = ["load", "eccentricity"].into_iter().any(|key| self.has(TABLE, key));
+        let shape = ["taper", "pivot"].into_iter().any(|key| self.has(TABLE, key));
+        let films: &[&str] = match (self.has(TABLE, "load"), shape) {
+            (false, false) => &["inlet_film", "outlet_film"],
+            (true, false) => &["taper"],
+            (true, true) => &[],
+            (false, true) => &["load"],
+        };
+        match self.text(TABLE, "kind") {
+            Some("journal") => {
+                self.look(TABLE, &["diameter", "width", "clearance", "speed"]);
+                self.look(TABLE, if position { &[] } else { &["load"] });
+            }
+            Some(kind @ ("pad" | "step")) => {
+                self.look(TABLE, &["length", "speed"]);
+                self.look(TABLE, films);
+                self.look(TABLE, if kind == "step" { &["step"] } else { &[] });
+            }
+            Some(_) => {}
+            None => self.look(TABLE, &["kind"]),
+        }
+        let rough = ["rq", "asperity_number", "rq_over_radius", "equivalent_modulus", "boundary_friction"];
+        self.look("given_film.roughness", &rough);
+        if !self.scene.contains_key("lubricant") {
+            self.missing.push("lubricant".to_owned());
+        }
+    }
+
     /// Form and elastic bodies.
     fn bodies(&mut self) {
         let ellipsoid = self.text("form", "kind") == Some("ellipsoid");

@@ -27,6 +27,8 @@ mod given_film_table;
 mod grid;
 pub(in crate::sim) mod hertz;
 #[cfg(feature = "serde")]
+mod journal_speed;
+#[cfg(feature = "serde")]
 mod keys;
 mod load;
 mod lubricant;
@@ -77,6 +79,8 @@ pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};
 pub(in crate::sim) use materials::BODIES;
 pub use materials::{Material, Materials};
+#[cfg(feature = "serde")]
+pub(in crate::sim) use missing::bearing_keys;
 pub use motion::{Motion, RoughnessState};
 pub use named_material::NamedMaterial;
 pub use oil::{KinematicPoint, OilSpec};

@@ -6,7 +6,7 @@ use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
 use crate::metrics::AreaCorrelation;
-use crate::sim::contact::formula::formula_film;
+use crate::sim::contact::formula::{FilmFormula, formula_film};
 use crate::sim::contact::friction_laws::mean_fluid_stress;
 use crate::sim::contact::heating::{IsothermalFriction, film_rise};
 use crate::sim::contact::numbers::RoughnessNumbers;
@@ -67,9 +67,11 @@ pub struct Expectation {
 pub struct ExpectedFilm {
     /// Regime, and film of the smooth, flooded contact with an incompressible oil.
     pub map: FilmMap,
-    /// Film in the middle \[m\]: that of `map`, at most the supplied film, over the relative density of the oil at the Hertz
-    /// pressure. The formula is for incompressible oils; what the inlet draws in fills less height once it is compressed.
+    /// Film in the middle \[m\]: [`FormulaFilm::central`](crate::sim::FormulaFilm::central), at most the supplied film, over the
+    /// relative density of the oil at the Hertz pressure. Film formulas are for incompressible oils.
     pub central: f64,
+    /// Formula of `central`.
+    pub formula: FilmFormula,
     /// `central` over composite roughness; `None` for smooth bodies and textures.
     pub lambda: Option<f64>,
     /// Load ratio by the inlets of asperities ([`MixedLoadShare`]); zero for a full film between smooth bodies,
@@ -190,9 +192,8 @@ impl MixedLubricationSim {
         let (speed, sliding, law) = (motion.entrainment_speed, motion.sliding_speed(), lubricant.viscosity());
         let no_film =
             || InputError::Conflict { field: "lubricant".to_owned(), reason: "no film formula".to_owned() };
-        let map = formula_film(scene, hertz, speed, Some(law), None)?.ok_or_else(no_film)?.map;
-        let supplied = scene.lubricant.and_then(|oil| oil.supplied_film).unwrap_or(f64::INFINITY);
-        let central = map.central.min(supplied) / lubricant.density().ratio(hertz.pressure);
+        let formulas = formula_film(scene, hertz, speed, Some(law), None)?.ok_or_else(no_film)?;
+        let central = formulas.compressed(scene, hertz, Some(lubricant.density()));
         let rough = roughness.composite_rq > 0.0 && !self.is_textured();
         let lambda = rough.then_some(central / roughness.composite_rq).filter(|lambda| lambda.is_finite());
         let share = self.load_share(central, lubricant, roughness, correlation_length)?;
@@ -225,8 +226,9 @@ impl MixedLubricationSim {
         };
         let friction_range = all(load_ratio_range).map(|ends| [ends[0].min(ends[1]), ends[0].max(ends[1])]);
         let film = ExpectedFilm {
-            map,
+            map: formulas.map,
             central,
+            formula: formulas.formula,
             lambda,
             load_ratio,
             inlet_number,

@@ -85,8 +85,9 @@ impl Expected {
                 map.regime, map.viscosity_parameter, map.elasticity_parameter, moes.m, moes.l
             ),
             format!(
-                "film       {} in the middle by the formula of Moes for all regimes, smooth and flooded{supplied}{lambda}",
-                by_size(film.central, "m")
+                "film       {} in the middle by the formula of {}, smooth and flooded{supplied}{lambda}",
+                by_size(film.central, "m"),
+                film.formula
             ),
             format!("load       {}", load_words(film)),
             rough,

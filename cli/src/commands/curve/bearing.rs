@@ -119,7 +119,10 @@ fn own_value(bearing: &RigidBearing, over: Axis) -> Result<[f64; 2], InputError>
 /// Sets the quantity to `value`; with a heat balance the temperature is that of the supply.
 fn set(bearing: &mut RigidBearing, over: Axis, value: f64) {
     match (over, &mut bearing.bearing) {
-        (Axis::Speed, BearingSpec::Journal { speed, .. } | BearingSpec::Pad { speed, .. }) => *speed = value,
+        (Axis::Speed, BearingSpec::Journal { speed, .. } | BearingSpec::Pad { speed, .. }) => {
+            *speed = value;
+            bearing.speed_diameter = None;
+        }
         (Axis::Load, BearingSpec::Journal { position, .. }) => *position = JournalPosition::Load(value),
         (
             Axis::Load,

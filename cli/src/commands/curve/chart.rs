@@ -1,6 +1,7 @@
 //! The picture of a curve, with resolved contacts beside it.
 
 use plotters::style::RGBColor;
+use stribeck::sim::FilmFormula;
 
 use super::Curve;
 use super::row::{Columns, QUANTITIES, Quantity, Row};
@@ -123,10 +124,17 @@ fn formula(curve: &Curve<'_>, quantity: &Quantity) -> Option<Line> {
     let films = curve
         .rows
         .iter()
-        .filter_map(|row| Some((place(curve.columns, row.at), quantity.factor * row.formula?)));
+        .filter_map(|row| Some((place(curve.columns, row.at), quantity.factor * row.formula?.central)));
     let points: Vec<_> = films.collect();
+    let mut formulas: Vec<_> = curve.rows.iter().filter_map(|row| Some(row.formula?.formula)).collect();
+    formulas.dedup();
     (!points.is_empty()).then(|| Line {
-        name: "smooth, by formula",
+        name: match formulas.as_slice() {
+            [FilmFormula::HamrockDowson] => "smooth, by formula (Hamrock, Dowson)",
+            [FilmFormula::DowsonToyoda] => "smooth, by formula (Dowson, Toyoda)",
+            [FilmFormula::Moes] => "smooth, by formula (Moes)",
+            _ => "smooth, by formula of each regime",
+        },
         colour: GREEN,
         points,
         bands: Vec::new(),

@@ -1,8 +1,8 @@
 //! The numbers of one value of the curve: means over the surfaces, their spread and their errors.
 
 use serde_json::{Map, Value as Json};
-use stribeck::sim::ContactSolution;
 use stribeck::sim::scene::SolverModel;
+use stribeck::sim::{ContactSolution, FormulaFilm};
 
 use super::axis::Axis;
 use crate::sample::{Sample, mean};
@@ -107,15 +107,15 @@ pub(super) struct Row {
     pub(super) values: [Option<Value>; QUANTITIES.len()],
     /// Means of the friction of solids and of the fluid, over the load.
     pub(super) friction_parts: [f64; 2],
-    /// Central film of the smooth contact by formula \[m\].
-    pub(super) formula: Option<f64>,
+    /// Film of the smooth contact by formula.
+    pub(super) formula: Option<FormulaFilm>,
     /// Fields of the warnings of this row.
     pub(super) warned: Vec<String>,
 }
 
 impl Row {
     /// That of the converged `solutions`, one for each surface; none without any.
-    pub(super) fn of(at: f64, solutions: &[&ContactSolution], formula: Option<f64>) -> Option<Self> {
+    pub(super) fn of(at: f64, solutions: &[&ContactSolution], formula: Option<FormulaFilm>) -> Option<Self> {
         let all = |get: fn(&ContactSolution) -> Option<f64>| -> Option<Vec<f64>> {
             solutions.iter().map(|solution| get(solution)).collect()
         };
@@ -178,7 +178,8 @@ impl Row {
         let cells = self.cells(columns).into_iter().map(|(name, value)| (name, Json::from(value)));
         let model = [
             ("model".to_owned(), Json::from(self.model_name())),
-            ("film_formula_m".to_owned(), Json::from(self.formula)),
+            ("film_formula_m".to_owned(), Json::from(self.formula.map(|film| film.central))),
+            ("film_formula".to_owned(), Json::from(self.formula.map(|film| film.formula.to_string()))),
             ("warnings".to_owned(), Json::from(self.warned.clone())),
         ];
         Json::Object(cells.chain(model).collect::<Map<_, _>>())

@@ -4,7 +4,9 @@ use std::error::Error;
 
 use stribeck::Status;
 use stribeck::sim::scene::{Scene, SolverModel};
-use stribeck::sim::{Conditions, ContactSolution, MixedLubricationSim, SimBuilder, SimError, SingleContact};
+use stribeck::sim::{
+    Conditions, ContactSolution, FormulaFilm, MixedLubricationSim, SimBuilder, SimError, SingleContact,
+};
 
 use super::model::{Plan, resolved_values};
 use super::row::{self, Row};
@@ -139,11 +141,11 @@ impl Curve<'_> {
         Ok(())
     }
 
-    /// Central film by formula at `value`, under the conditions of the `points`.
-    fn formula(&self, points: &[Point], value: f64) -> Option<f64> {
+    /// Film by formula at `value`, under the conditions of the `points`.
+    fn formula(&self, points: &[Point], value: f64) -> Option<FormulaFilm> {
         let (mut scene, mut conditions) = (self.scene.clone(), points.first()?.conditions);
         self.columns.over.set(&mut scene, &mut conditions, value);
-        Some(scene.formula_film().ok()??.map.central)
+        scene.formula_film().ok()?
     }
 }
 

@@ -54,7 +54,7 @@ fn speed_of_film(scene: &Scene, own: f64, film: f64) -> Result<f64, SimError> {
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (low + high);
         scene.motion.entrainment_speed = own * 10.0_f64.powf(middle);
-        let is_thinner = scene.formula_film()?.is_none_or(|formula| formula.map.central < film);
+        let is_thinner = scene.formula_film()?.is_none_or(|formula| formula.central < film);
         *(if is_thinner { &mut low } else { &mut high }) = middle;
     }
     Ok(own * 10.0_f64.powf(0.5 * (low + high)))
@@ -72,7 +72,7 @@ mod tests {
         let lambda = |scene: &Scene, speed: f64| {
             let mut scene = scene.clone();
             scene.motion.entrainment_speed = speed;
-            scene.formula_film().unwrap().unwrap().map.central / 20e-9_f64.hypot(130e-9)
+            scene.formula_film().unwrap().unwrap().central / 20e-9_f64.hypot(130e-9)
         };
         let [low, high] = usual(&scene, 0.1).unwrap();
         assert!(lambda(&scene, low) <= LAMBDAS[0] * (1.0 + 1e-6), "{low}");

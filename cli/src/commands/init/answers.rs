@@ -140,7 +140,7 @@ fn correlation_length(text: &str) -> Result<Quantity, Box<dyn Error>> {
 fn checked(key: &str, dimension: Dimension, text: &str) -> Result<f64, Box<dyn Error>> {
     let value = if key == RQ {
         let value = output::quantity(dimension, key, text)?;
-        output::require(value >= 0.0, key, value, "finite and >= 0")?
+        output::require(value >= 0.0, key, value, "finite and >= 0, such as \"50 nm\"")?
     } else {
         output::positive(dimension, key, text)?
     };

@@ -138,10 +138,10 @@ pub(in crate::commands) fn report(
 /// Solid contact of rough surfaces.
 fn solids(numbers: &BearingNumbers, per: &str) -> Option<String> {
     Some(format!(
-        "contact    {:.2} % of the load on solids, on {} mm^2{per}; {:.4} N{per} of the friction; least film {:.3} Rq",
+        "contact    {:.2} % of the load on solids, on {} mm^2{per}; {} of the friction; least film {:.3} Rq",
         100.0 * numbers.contact_share?,
         output::digits(1e6 * numbers.contact_area?),
-        numbers.contact_friction?,
+        by_size(numbers.contact_friction?, if per.is_empty() { "N" } else { "N/m" }),
         numbers.film_over_rq?
     ))
 }
@@ -197,10 +197,11 @@ fn heat(numbers: &BearingNumbers, per: &str) -> Option<String> {
     let [supply, outlet] = [numbers.supply_temperature?, numbers.outlet_temperature?];
     let carried = numbers.carried_heat?;
     Some(format!(
-        "heat       oil in at {:.2} degC, out at {:.2} degC: a rise of {:.2} K by {carried:.4} W{per}, {:.0} % of the power loss",
+        "heat       oil in at {:.2} degC, out at {:.2} degC: a rise of {:.2} K by {}, {:.0} % of the power loss",
         celsius(supply),
         celsius(outlet),
         outlet - supply,
+        by_size(carried, if per.is_empty() { "W" } else { "W/m" }),
         100.0 * carried / numbers.power_loss
     ))
 }
@@ -223,9 +224,11 @@ fn position(numbers: &BearingNumbers) -> Option<String> {
     let [towards, across] = numbers.force?;
     Some(format!(
         "journal    eccentricity {:.4}, attitude {:.2} deg, Sommerfeld number {:.4} (W psi^2/(L D eta omega)); force of the film \
-         {towards:.4} N towards the widest gap, {across:.4} N across",
+         {} towards the widest gap, {} across",
         numbers.eccentricity?,
         numbers.attitude?.to_degrees(),
-        numbers.sommerfeld?
+        numbers.sommerfeld?,
+        by_size(towards, "N"),
+        by_size(across, "N")
     ))
 }

@@ -8,6 +8,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::petroleum_density;
 use crate::sim::scene::{BearingSpec, CELLS_IN_DIMPLE, OilSpec, PadRelief};
+use crate::units::by_size;
 
 /// Reynolds number `rho u c/eta` of a journal over `sqrt(R/c)` above which the film has Taylor vortices (Taylor, G. I. (1923),
 /// Philosophical Transactions of the Royal Society A 223, 289-343; Frene, J. and others (1997), Hydrodynamic Lubrication, Elsevier).
@@ -15,6 +16,41 @@ const TAYLOR: f64 = 41.2;
 /// Reynolds number `rho u h/eta` above which films without curvature become turbulent (Harnoy, A. (2003), Bearing Design in
 /// Machinery, section 5.5: the transition begins at about 1000 and ends at about 1600).
 const TRANSITION: f64 = 1000.0;
+
+/// Standard atmosphere \[Pa\].
+const ATMOSPHERE: f64 = 101_325.0;
+/// Relative difference of diameters from which on they are two.
+const SAME_DIAMETER: f64 = 0.01;
+
+/// Warning about the speed of a journal that is a rate of rotation on another diameter \[m\] than its own.
+pub(in crate::sim) fn other_diameter(bearing: &BearingSpec, stated: Option<f64>) -> Option<Warning> {
+    let (BearingSpec::Journal { diameter, speed, .. }, Some(stated)) = (*bearing, stated) else {
+        return None;
+    };
+    ((stated / diameter - 1.0).abs() > SAME_DIAMETER).then(|| {
+        let message = format!(
+            "the rate of rotation is on a diameter of {}, the journal has {}",
+            by_size(stated, "m"),
+            by_size(diameter, "m")
+        );
+        let remedy = "the rate alone, such as \"3000 rpm\", is on the diameter of the journal".to_owned();
+        Warning::new("given_film.speed", speed, message, remedy)
+    })
+}
+
+/// Warning about a cavitation pressure \[Pa\] relative to ambient that is below that of a vacuum.
+pub(in crate::sim) fn tension(cavitation_pressure: f64) -> Option<Warning> {
+    (cavitation_pressure < -ATMOSPHERE).then(|| {
+        let message = format!(
+            "an absolute vacuum is {} below an ambient pressure of one atmosphere: no bubble has a lower pressure, and the oil would hold a tension \
+             of {}",
+            by_size(ATMOSPHERE, "Pa"),
+            by_size(-cavitation_pressure - ATMOSPHERE, "Pa")
+        );
+        let remedy = "-1 bar or more, unless the oil is degassed or the ambient pressure is higher".to_owned();
+        Warning::new("given_film.cavitation_pressure", cavitation_pressure, message, remedy)
+    })
+}
 
 /// Warnings about a solved bearing of a scene with its load \[N\] and the temperature of its oil \[K\]: one without load, an oil by its data sheet at a temperature that oils do not have, steep dimples.
 pub(in crate::sim) fn bearing_warnings(

@@ -3,6 +3,7 @@
 use super::{Warning, short};
 use crate::error::InputError;
 use crate::sim::contact::formula::ellipticity;
+use crate::sim::contact::oil;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::operating_schedule::OperatingSchedule;
 use crate::sim::scene::{BODIES, OilSpec, Roughness, Scene};
@@ -95,12 +96,31 @@ fn slope(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
         Some(pressure) if scene.schedule.load.is_none() => ("load.hertz_pressure", pressure),
         _ => ("load.force", hertz.force),
     };
-    let remedy = if conformal > LARGEST_CONFORMAL {
+    let remedy = if let Some(osculation) = osculation(scene).filter(|_| conformal > LARGEST_CONFORMAL) {
+        let text = format!(
+            "less load or a wider groove: its osculation, the radius of the groove over the diameter of the ball, is {}; of rolling bearings it is \
+             0.51 to 0.54",
+            short((1e4 * osculation).round() / 1e4)
+        );
+        return Some(Warning::new(field, value, message, text));
+    } else if conformal > LARGEST_CONFORMAL {
         "less load or more clearance; [given_film] with kind = \"journal\" computes a journal in its bush"
     } else {
         "lower the load or check radius and modulus"
     };
     Some(Warning::new(field, value, message, remedy.to_owned()))
+}
+
+/// Radius of a groove over the diameter of the ball in it; `None` for bodies that are concave in both sections or in none.
+fn osculation(scene: &Scene) -> Option<f64> {
+    let Form::Bodies { x, y, .. } = scene.form else { return None };
+    let is_concave = |radii: [f64; 2]| radii.iter().any(|radius| *radius < 0.0);
+    let [ball, groove] = match (scene.form.is_line(), is_concave(x), is_concave(y)) {
+        (false, true, false) => x,
+        (false, false, true) => y,
+        _ => return None,
+    };
+    Some((ball / groove).abs().max((groove / ball).abs()) / 2.0)
 }
 
 /// Half-width of the contact over the smaller radius of the bodies in sections with a concave body; zero without one.
@@ -156,13 +176,21 @@ fn film_formula(scene: &Scene, hertz: &HertzContact) -> Result<Option<Warning>, 
     let ellipticity = ellipticity(scene, hertz)?;
     let [narrowest, widest] = ELLIPTICITIES;
     let message = if hertz.angle != 0.0 {
-        "the formula is for entrainment along an axis of the ellipse; it takes the sections along and across it"
-            .to_owned()
+        format!(
+            "the formula of {} is for entrainment along an axis of the ellipse; it takes the sections along and across it",
+            formulas.formula
+        )
     } else if !scene.form.is_line() && !(narrowest - 1e-9..=widest).contains(&ellipticity) {
-        format!("the ellipticity of {} is outside the range of the formula, 1 to 8", short(ellipticity))
+        format!(
+            "the ellipticity of {} is outside the range of the formula of {}, 1 to 8",
+            short(ellipticity),
+            formulas.formula
+        )
     } else {
         return Ok(None);
     };
     let remedy = "take the film of the solve, not that of the formula".to_owned();
-    Ok(Some(Warning::new("film.formula_central", formulas.of_its_regime(), message, remedy)))
+    let density = oil::density(scene, scene.conditions(0.0)?.bulk_temperature)?;
+    let film = formulas.compressed(scene, hertz, density.as_deref());
+    Ok(Some(Warning::new("film.formula_central", film, message, remedy)))
 }

@@ -17,11 +17,12 @@ mod worn;
 
 use std::fmt;
 
-#[cfg(feature = "serde")]
 pub(in crate::sim) use bearing::{
     bearing_warnings, coarse_dimples, reject_film_units, reject_oil_temperature, turbulent_film,
     unsolved_bearing,
 };
+#[cfg(feature = "serde")]
+pub(in crate::sim) use bearing::{other_diameter, tension};
 #[cfg(feature = "serde")]
 pub(in crate::sim) use given_film::film_warnings;
 pub use given_film::given_film_warnings;

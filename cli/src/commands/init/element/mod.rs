@@ -125,7 +125,7 @@ fn quantity(
 /// Revolutions per minute.
 fn rotation(options: &Init, usual: f64) -> Result<f64, Box<dyn Error>> {
     let given = options.machine.rotation().unwrap_or(usual);
-    Ok(output::require(given > 0.0, "--rotation", given, "finite and > 0")?)
+    Ok(output::require(given > 0.0, "--rotation", given, "finite and > 0, in rpm")?)
 }
 
 /// The tables of the oil: by the options, or of the usual grade at the usual temperature.
@@ -216,7 +216,7 @@ fn journal(options: &Init) -> Result<String, Box<dyn Error>> {
         "# A steady loaded journal bearing with one axial groove opposite the load. Relative clearance 1.5 per mille, width over diameter 0.5.\n\
          # `stribeck solve` computes eccentricity, friction, flows and temperature. Every key: docs/given_film.md.\n\n\
          [given_film]\nkind = \"journal\"\ndiameter = \"50 mm\"\nwidth = \"25 mm\"\nclearance = \"37.5 um\" # radial\n\
-         speed = \"{rotation} rpm on 50 mm\"\nload = {load}\n\
+         speed = \"{rotation} rpm\"\nload = {load}\n\
          groove_angles = [\"180 deg\"] # from the load, in the direction of rotation\ngroove_width = \"5 mm\"\nsupply_pressure = \"1 bar\" # above ambient\nnx = 120 # cells along and across the motion\nny = 16\n\
          {heat}\n{oil}"
     ))
