@@ -63,6 +63,17 @@ fn estimates_hold_against_known_films() {
     }
 }
 
+/// The film of a soft ball is a thousandth of its indentation.
+#[test]
+#[ignore = "slow"]
+fn soft_contacts_reach_their_accuracy_on_the_first_meshes() {
+    let mut meshes = 0;
+    let builder = MixedLubricationSim::builder(contact(3000.0, 1.0, 0.02));
+    let solution = builder.solve_observed(|_| meshes += 1).unwrap();
+    assert_eq!((solution.report.status, meshes), (Status::Converged, 3));
+    assert!(solution.error_estimate.unwrap().film_central < 0.02);
+}
+
 #[test]
 fn dry_contacts_are_estimated_by_their_pressure() {
     for accuracy in [0.1, 0.01, 0.001] {

@@ -202,7 +202,9 @@ fn journal_has_the_friction_of_petroff_and_of_its_load() {
 #[test]
 #[ignore = "slow"]
 fn cam_has_the_films_of_dowson_and_toyoda() {
-    let scene = Scene::load(path("cam.toml")).unwrap();
+    let mut scene = Scene::load(path("cam.toml")).unwrap();
+    // Fewer steps than usual: the formula holds away from the reversals.
+    scene.cycle.as_mut().unwrap().steps = Some(400);
     let points = MixedLubricationSim::builder(scene).solve_cycle(&mut |_| true).unwrap().points;
     let rate = 1000.0 * PI / 30.0;
     for (angle, lift, second, load) in

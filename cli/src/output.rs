@@ -214,6 +214,15 @@ pub(crate) fn contact(path: &Path, file: SceneFile) -> Result<Scene, String> {
     Err(format!("{}: {is}", path.display()))
 }
 
+/// The remark that `command` leaves out the cycle of `scene`, if it has one.
+pub(crate) fn without_cycle(scene: &Scene, command: &str) -> Option<String> {
+    scene.cycle.as_ref().map(|_| {
+        format!(
+            "[cycle]: `stribeck {command}` solves the contact of the scene; `stribeck cycle` solves its cycle"
+        )
+    })
+}
+
 /// The error with the scene file in front, unless it already names it.
 pub(crate) fn in_scene(path: &Path, error: &dyn Error) -> String {
     let (name, text) = (path.display().to_string(), error.to_string());

@@ -319,6 +319,39 @@ fn check_of_a_cycle_has_the_rows_of_the_extreme_films() {
     assert!(told.contains("121 rows, 400 contacts in time; 2 rows at rest"), "{told}");
 }
 
+/// A cycle without a number of steps has one per half-width of entrained film; the warnings of a cycle come before its first contact.
+#[test]
+fn check_of_a_cycle_has_its_steps_and_its_warnings() {
+    let folder = tempfile::tempdir().unwrap();
+    let cam = fs::read_to_string(common::repository("examples/scenes/cam.toml")).unwrap();
+    let told = |name: &str, text_of: &str| {
+        let path = folder.path().join(name);
+        fs::write(&path, text_of).unwrap();
+        let output = stribeck(&["check", text(&path)]);
+        (String::from_utf8(output.stdout.clone()).unwrap(), error_of(&output))
+    };
+    let (usual, warnings) = told("usual.toml", &cam);
+    assert!(usual.starts_with("cycle      73 rows, 1944 contacts in time\n"), "{usual}");
+    assert!(usual.contains("\ncycle      yes\n") && !warnings.contains("cycle.steps"), "{usual}{warnings}");
+    let (_, warnings) = told("few.toml", &cam.replace("\nangle = [", "\nsteps = 100\nangle = ["));
+    assert!(warnings.contains("cycle.steps = 100") && warnings.contains("at least 1944 steps"), "{warnings}");
+    // A period in another unit.
+    let (_, warnings) = told("long.toml", &cam.replace("period = 6.0000000000000005e-2", "period = 60.0"));
+    assert!(warnings.contains("check the unit of the times, 60.00 s"), "{warnings}");
+    let warm: Vec<String> = (0..72).map(|row| format!("{}.0", 350 + row % 2)).collect();
+    let (_, warnings) = told(
+        "warm.toml",
+        &cam.replace("\nangle = [", &format!("\nbulk_temperature = [{}]\nangle = [", warm.join(", "))),
+    );
+    assert!(warnings.contains("cycle.bulk_temperature = 351"), "{warnings}");
+    let curve = ["curve", "usual.toml", "--points", "2", "--from", "3", "--to", "4"];
+    let output = common::command(&curve).current_dir(folder.path()).output().unwrap();
+    assert!(
+        error_of(&output).contains("[cycle]: `stribeck curve` solves the contact of the scene"),
+        "{output:?}"
+    );
+}
+
 /// The roughness of the options is that of the scene; options without effect are refused by name.
 #[test]
 fn machines_take_roughness_and_refuse_options_without_effect() {

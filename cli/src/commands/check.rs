@@ -95,9 +95,14 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         file => output::contact(&options.scene, file)?,
     };
     let named = |error: Box<dyn Error>| output::in_scene(&options.scene, error.as_ref());
-    let expected = Expected::of(&scene, &options.scene).map_err(named)?;
-    let mut numbers = expected.to_json()?;
+    let mut expected = Expected::of(&scene, &options.scene).map_err(named)?;
     let rows = cycle::Rows::of(&scene, &options.scene).map_err(named)?;
+    if let Some(rows) = &rows {
+        let is_new = |warning: &&Warning| expected.warnings.iter().all(|known| known.field != warning.field);
+        let of_cycle: Vec<Warning> = rows.warnings().iter().filter(is_new).cloned().collect();
+        expected.warnings.extend(of_cycle);
+    }
+    let mut numbers = expected.to_json()?;
     output::warn(&expected.warnings);
     if options.json {
         if let Some(rows) = rows {

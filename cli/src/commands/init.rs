@@ -298,13 +298,14 @@ fn bodies(options: &Options, answers: &Answers) -> Result<String, std::fmt::Erro
         answers.speed.entry(),
         answers.slide_roll_ratio
     )?;
-    writeln!(
+    write!(
         text,
         "{}\n\
          [friction]\n\
          boundary_coefficient = 0.115 # where solids touch\n\
-         eyring_stress = \"5 MPa\" # shear stress from which on the oil thins; leave the line out for a Newtonian oil",
-        oil::tables(options, [&answers.eta0, &answers.alpha])
+         eyring_stress = \"5 MPa\" # shear stress from which on the oil thins; leave the line out for a Newtonian oil\n{}",
+        oil::tables(options, [&answers.eta0, &answers.alpha]),
+        answers.disc.fluid_limit()
     )?;
     Ok(text)
 }

@@ -2,7 +2,7 @@
 
 use crate::error::InputError;
 use crate::reynolds::ContactState;
-use crate::sim::cycle::{CycleEnd, CyclePoint, CycleRecord, CycleSolution, set_conditions};
+use crate::sim::cycle::{CycleEnd, CyclePoint, CycleRecord, CycleSolution, set_conditions, skipped};
 use crate::sim::error::SimError;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::squeeze_memory::mirror_rows;
@@ -34,14 +34,17 @@ struct Round {
 pub(super) struct Drive {
     sim: MixedLubricationSim,
     table: CycleTable,
+    /// Steps of equal time in a cycle in time.
+    steps: usize,
     /// Direction of the flow in the frame of the scene: the simulation is mirrored where it is -1.
     direction: f64,
 }
 
 impl Drive {
     /// `sim` at the start of `table`, whose flow is along +x.
-    pub(super) fn new(sim: MixedLubricationSim, table: CycleTable) -> Self {
-        Self { sim, table, direction: 1.0 }
+    pub(super) fn new(sim: MixedLubricationSim, table: CycleTable) -> Result<Self, InputError> {
+        let steps = skipped::steps(&sim.scene, &table)?;
+        Ok(Self { sim, table, steps, direction: 1.0 })
     }
 
     /// Solves all contacts.
@@ -144,18 +147,18 @@ impl Drive {
             }
             return (Vec::new(), rows);
         }
-        let step = length / table.steps as f64;
+        let step = length / self.steps as f64;
         let at = |k: usize| {
             let row = table.at(first + k as f64 * step);
             row.map_or(last, |row| CycleRow { time: first + k as f64 * step, ..row })
         };
-        let cycle: Vec<CycleRow> = (0..=table.steps).map(at).collect();
+        let cycle: Vec<CycleRow> = (0..=self.steps).map(at).collect();
         if table.once {
             return (Vec::new(), cycle.into_iter().chain([after(step)]).collect());
         }
         // From the largest entrainment speed to the end of the cycle before.
         let speed = |k: &usize| cycle[*k].entrainment().abs();
-        let start = (0..table.steps).max_by(|a, b| speed(a).total_cmp(&speed(b))).unwrap_or(0);
+        let start = (0..self.steps).max_by(|a, b| speed(a).total_cmp(&speed(b))).unwrap_or(0);
         let before = cycle[start..].iter().map(|row| CycleRow { time: row.time - length, ..*row });
         (before.collect(), cycle)
     }

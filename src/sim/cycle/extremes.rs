@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::error::InputError;
-use crate::sim::cycle::set_row;
+use crate::sim::cycle::{set_row, skipped};
 use crate::sim::scene::Scene;
 use crate::sim::scene::cycle_table::{CycleRow, CycleTable};
 
@@ -83,7 +83,7 @@ impl Scene {
         let contacts = if table.quasi_static {
             table.distinct_rows().len()
         } else {
-            table.steps + usize::from(table.once)
+            skipped::steps(self, &table)? + usize::from(table.once)
         };
         let (rows, rows_at_rest) = (table.rows.len(), table.rows.len() - films.len());
         Ok(thinnest.zip(thickest).map(|(thinnest, thickest)| CycleExtremes {

@@ -14,6 +14,7 @@ mod opposite;
 mod passages;
 mod point;
 mod skipped;
+mod temperature;
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -89,32 +90,70 @@ impl SimBuilder {
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn solve_cycle(
-        mut self,
+        self,
         observer: &mut dyn FnMut(&CyclePoint) -> bool,
     ) -> Result<CycleSolution, SimError> {
+        let ReadyCycle { builder, table, is_flooded, warnings } = self.ready_cycle()?;
+        if !builder.scene.motion.roughness.is_at_rest() {
+            let mut solution = passages::solve(builder, &table, observer)?;
+            solution.warnings.extend(warnings);
+            return Ok(solution);
+        }
+        let sim = builder.build()?;
+        let cut = cut_inlet(&sim, is_flooded)?;
+        let mut solution = drive::Drive::new(sim, table)?.run(observer)?;
+        solution.warnings.extend(cut.into_iter().chain(warnings));
+        Ok(solution)
+    }
+
+    /// The warnings of [`solve_cycle`](Self::solve_cycle) that do not need its solution.
+    ///
+    /// # Errors
+    /// As [`solve_cycle`](Self::solve_cycle).
+    pub fn check_cycle(self) -> Result<Vec<Warning>, SimError> {
+        let ReadyCycle { builder, is_flooded, warnings, .. } = self.ready_cycle()?;
+        if !builder.scene.motion.roughness.is_at_rest() {
+            return Ok(builder.check_contact()?.into_iter().chain(warnings).collect());
+        }
+        let sim = builder.build()?;
+        let cut = cut_inlet(&sim, is_flooded)?;
+        Ok(sim.warnings().iter().cloned().chain(cut).chain(warnings).collect())
+    }
+
+    /// The checked cycle of the scene.
+    fn ready_cycle(mut self) -> Result<ReadyCycle, SimError> {
         let table = CycleTable::new(&self.scene)?;
         let is_flooded = self.scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::Flooded);
         let estimate = self.scene.solver.estimate.then(no_estimate);
         self.scene = cycle_scene(self.scene, &table)?;
         let grid = self.scene.grid()?;
         require_rows(&self.scene, &grid, &table)?;
-        let coarse = cells::few_in_narrowest(&self.scene, &grid, &table)?;
-        let opposite = opposite::opposite_surfaces(&self.scene, &table);
-        let of_scene = estimate.into_iter().chain(coarse).chain(opposite);
-        if !self.scene.motion.roughness.is_at_rest() {
-            let mut solution = passages::solve(self, &table, observer)?;
-            solution.warnings.extend(of_scene);
-            return Ok(solution);
+        let mut warnings: Vec<Warning> = estimate.into_iter().collect();
+        if self.scene.motion.roughness.is_at_rest() {
+            warnings.extend(skipped::skipped_motion(&self.scene, &table)?);
+            self.motion = Some(std::sync::Arc::new(Fixed));
+            self.squeeze = !table.quasi_static;
         }
-        self.motion = Some(std::sync::Arc::new(Fixed));
-        self.squeeze = !table.quasi_static;
-        let skipped = skipped::skipped_motion(&self.scene, &table)?;
-        let sim = self.build()?;
-        let cut = if is_flooded { sim.contact.cut_inlet(&sim.scene)? } else { None };
-        let mut solution = drive::Drive::new(sim, table).run(observer)?;
-        solution.warnings.extend(cut.into_iter().chain(skipped).chain(of_scene));
-        Ok(solution)
+        warnings.extend(cells::few_in_narrowest(&self.scene, &grid, &table)?);
+        warnings.extend(opposite::opposite_surfaces(&self.scene, &table));
+        warnings.extend(temperature::without_effect(&self.scene, &table)?);
+        Ok(ReadyCycle { builder: self, table, is_flooded, warnings })
     }
+}
+
+/// A checked cycle before its first contact.
+struct ReadyCycle {
+    /// The simulation at its largest entrainment speed.
+    builder: SimBuilder,
+    table: CycleTable,
+    /// Whether the scene has a flooded inlet.
+    is_flooded: bool,
+    warnings: Vec<Warning>,
+}
+
+/// The warning that the box of `sim` cuts its inlet, if the scene of the cycle is flooded.
+fn cut_inlet(sim: &MixedLubricationSim, is_flooded: bool) -> Result<Option<Warning>, InputError> {
+    if is_flooded { sim.contact.cut_inlet(&sim.scene) } else { Ok(None) }
 }
 
 /// The warning that the errors of the mesh are those of a single contact.

@@ -58,7 +58,7 @@ pub struct CycleSpec {
     /// Bulk temperature \[K\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub bulk_temperature: Vec<f64>,
-    /// Steps of equal time in a cycle; 400 if absent.
+    /// Steps of equal time in a cycle. If absent, one per half-width of entrained film where it passes fastest, 400 to 4000.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub steps: Option<usize>,
     /// Solves each row as a steady contact, without squeeze; as a passage of the surfaces where the roughness moves.

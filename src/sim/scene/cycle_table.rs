@@ -7,8 +7,6 @@ use crate::surface::Form;
 
 /// Relative difference of the last row from the first one of a cycle that repeats.
 const CLOSED: f64 = 1e-6;
-/// Steps of a cycle by default, and the fewest.
-const USUAL_STEPS: usize = 400;
 const FEWEST_STEPS: usize = 8;
 
 /// Conditions at one time of a cycle.
@@ -52,8 +50,8 @@ pub(in crate::sim) struct CycleTable {
     pub(in crate::sim) rows: Vec<CycleRow>,
     /// Time of 2 pi \[s\], if the table has angles.
     pub(in crate::sim) turn: Option<f64>,
-    /// Steps of equal time.
-    pub(in crate::sim) steps: usize,
+    /// Steps of equal time, if given.
+    pub(in crate::sim) steps: Option<usize>,
     /// Whether each row is a steady contact.
     pub(in crate::sim) quasi_static: bool,
     /// Whether the cycle runs once.
@@ -107,8 +105,10 @@ impl CycleTable {
             let [load, ball, disc, radius, bulk_temperature] = at(row);
             CycleRow { time: *time, load, speeds: [ball, disc], radius, bulk_temperature }
         });
-        let steps = spec.steps.unwrap_or(USUAL_STEPS);
-        InputError::require(steps >= FEWEST_STEPS, "cycle.steps", steps as f64, "at least 8")?;
+        let steps = spec.steps;
+        if let Some(steps) = steps {
+            InputError::require(steps >= FEWEST_STEPS, "cycle.steps", steps as f64, "at least 8")?;
+        }
         let turn = spec.period.filter(|_| !spec.angle.is_empty());
         let (quasi_static, once) = (spec.quasi_static, spec.once);
         let history = spec.history()?;

@@ -4,8 +4,9 @@ use std::error::Error;
 use std::path::Path;
 
 use serde_json::{Value, json};
+use stribeck::Warning;
 use stribeck::sim::scene::Scene;
-use stribeck::sim::{CycleExtremes, CycleRowScene};
+use stribeck::sim::{CycleExtremes, CycleRowScene, MixedLubricationSim, SimError};
 use stribeck::units::by_size;
 
 use super::Expected;
@@ -15,6 +16,8 @@ pub(super) struct Rows {
     extremes: CycleExtremes,
     thinnest: Expected,
     thickest: Expected,
+    /// The warnings of the cycle before its first contact, or the reason why it is not solved.
+    checked: Result<Vec<Warning>, SimError>,
 }
 
 impl Rows {
@@ -23,7 +26,18 @@ impl Rows {
         let Some(extremes) = scene.cycle_extremes()? else { return Ok(None) };
         let thinnest = Expected::of(&extremes.thinnest.scene, file)?;
         let thickest = Expected::of(&extremes.thickest.scene, file)?;
-        Ok(Some(Self { extremes, thinnest, thickest }))
+        let checked = MixedLubricationSim::builder(scene.clone()).check_cycle();
+        Ok(Some(Self { extremes, thinnest, thickest, checked }))
+    }
+
+    /// The warnings of the cycle before its first contact.
+    pub(super) fn warnings(&self) -> &[Warning] {
+        self.checked.as_deref().unwrap_or_default()
+    }
+
+    /// The reason why the cycle is not solved.
+    pub(super) fn refusal(&self) -> Option<&SimError> {
+        self.checked.as_ref().err()
     }
 
     /// The cycle, and the contacts of both rows.
@@ -58,6 +72,7 @@ impl Rows {
             "rows": self.extremes.rows,
             "contacts": self.extremes.contacts,
             "rows_at_rest": self.extremes.rows_at_rest,
+            "refused": self.refusal().map(ToString::to_string),
             "thinnest": contact(&self.extremes.thinnest, &self.thinnest)?,
             "thickest": contact(&self.extremes.thickest, &self.thickest)?,
         }))

@@ -18,7 +18,7 @@ const SPREAD: f64 = 0.2;
 const BOUNDARY: f64 = 0.8;
 
 impl Expected {
-    /// At most 28 lines in the units of engineers, with `rows` of a cycle some ten more.
+    /// At most 28 lines in the units of engineers, with `rows` of a cycle some twelve more.
     pub(super) fn to_text(&self, rows: Option<&Rows>) -> String {
         let mut lines = match rows {
             Some(rows) => rows.lines(),
@@ -26,7 +26,9 @@ impl Expected {
         };
         lines.extend(self.oil_lines());
         lines.extend(self.mesh_lines());
-        for (command, refusal) in [("solve", &self.refusals.solve), ("run", &self.refusals.run)] {
+        let of_cycle = rows.map(|rows| ("cycle", rows.refusal()));
+        let commands = [("solve", self.refusals.solve.as_ref()), ("run", self.refusals.run.as_ref())];
+        for (command, refusal) in commands.into_iter().chain(of_cycle) {
             lines.push(match refusal {
                 None => format!("{command:<10} yes"),
                 Some(error) => format!("{command:<10} no: {error}"),

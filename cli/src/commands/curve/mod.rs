@@ -182,6 +182,9 @@ fn announced(
     if options.over != Axis::SlideRollRatio && conditions.motion.slide_roll_ratio == 0.0 {
         held.hold("warning", "the slide-roll ratio is 0: without sliding there is no friction".to_owned());
     }
+    if let Some(remark) = output::without_cycle(scene, "curve") {
+        held.hold("warning", remark);
+    }
     held.hold_warnings(&scene.warnings());
     Ok(held)
 }

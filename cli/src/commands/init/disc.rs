@@ -133,6 +133,15 @@ pub(super) enum Disc {
 }
 
 impl Disc {
+    /// The key of `[friction]` that limits the shear stress of the oil at the pressures of asperities, which are several times those of
+    /// smooth bodies; empty for a smooth disc. Limits are 5 to 10 % of the pressure (Johnson and Tevaarwerk 1977, Proc. R. Soc. A 356).
+    pub(super) fn fluid_limit(&self) -> &'static str {
+        match self {
+            Self::Smooth => "",
+            _ => "limiting_stress_coefficient = 0.05 # largest shear stress of the oil over its pressure\n",
+        }
+    }
+
     /// Root mean square height \[m\].
     pub(super) fn rq(&self) -> f64 {
         match self {

@@ -70,6 +70,9 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     options.report.claim(&options.scene, options.force || options.resume)?;
     let scene = output::load(&options.scene)?;
     let (held, bar) = (Held::default(), ProgressBar::new(0));
+    if let Some(remark) = output::without_cycle(&scene, "run") {
+        held.hold("warning", remark);
+    }
     let (due, above) = (held.clone(), bar.clone());
     let builder = MixedLubricationSim::builder(scene).interrupt(move || {
         due.print(&above);

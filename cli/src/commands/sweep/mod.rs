@@ -54,6 +54,9 @@ fn shard(text: &str) -> Result<(usize, usize), String> {
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let scene = output::load(&options.scene)?;
+    if let Some(remark) = output::without_cycle(&scene, "sweep") {
+        output::complain("warning", &remark);
+    }
     let inputs = axes::points(&scene, &options.over, options.zip)?;
     let folder = Folder::open(&options.out, &scene, &inputs)?;
     interrupt::listen("the sweep ends after the points at hand")?;

@@ -15,6 +15,11 @@ const AIM: f64 = 0.3;
 pub(super) const BOX_SHARE: f64 = 0.5;
 /// Candidate upstream ends of the box, in half-widths.
 const INLETS: [f64; 6] = [2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
+/// Most nodes of the first finest mesh: cells for the accuracy of the minimum film of thin films between wide contacts are not needed
+/// for that of the central film, and the estimate asks for finer ones if they are.
+const FIRST_NODES: f64 = (1 << 18) as f64;
+/// Downstream end of the box, in half-widths.
+const OUTLET: f64 = 1.5;
 /// Largest number of nodes.
 const MAX_NODES: usize = 1 << 22;
 
@@ -55,12 +60,10 @@ impl Plan {
         let error = |inlet: f64| scale.box_error(inlet * half_x, side(inlet) * half_y).of_solve();
         let fits = |inlet: &f64| error(*inlet) <= BOX_SHARE * accuracy;
         let inlet = INLETS.into_iter().find(fits).unwrap_or(INLETS[INLETS.len() - 1]);
-        Ok(Self {
-            inlet,
-            outlet: 1.5,
-            side: side(inlet),
-            cell: (AIM * accuracy * film / constant).sqrt().min(0.1),
-        })
+        let (outlet, side) = (OUTLET, side(inlet));
+        let nodes_by_cell = if scene.form.is_line() { 0.0 } else { (inlet + outlet) * 2.0 * side };
+        let cell = (AIM * accuracy * film / constant).sqrt().max((nodes_by_cell / FIRST_NODES).sqrt());
+        Ok(Self { inlet, outlet, side, cell: cell.min(0.1) })
     }
 
     /// The plan for a layer on the disc. The half-width is between that of the substrate and that of the layer

@@ -9,7 +9,6 @@
 use super::WorkUsed;
 use super::plan::{BOX_SHARE, Plan};
 use crate::error::InputError;
-use crate::grid::Grid;
 use crate::report::Status;
 use crate::reynolds::ContactState;
 use crate::sim::contact::error_estimate::ErrorEstimate;
@@ -131,8 +130,7 @@ struct Meshes {
 }
 
 impl Meshes {
-    /// Solves on all meshes, coarsest first, each started from the previous one if it converged. `observer` is
-    /// called with each solution.
+    /// Solves on all meshes, coarsest first. `observer` is called with each solution.
     fn solve(
         (scene, interrupt): (&mut Scene, Option<&Interrupt>),
         hertz: &HertzContact,
@@ -143,10 +141,7 @@ impl Meshes {
         let (mut middle, mut previous): (Option<ContactSolution>, Option<ContactSolution>) = (None, None);
         for level in (0..LEVELS).rev() {
             scene.grid = plan.cells(hertz, level, scene.form.is_line())?;
-            let contact = prepare_on_grid(scene, interrupt, |grid| match &previous {
-                Some(coarse) if coarse.report.status == Status::Converged => prolonged(coarse, grid),
-                _ => Ok(ContactState::new(grid)),
-            })?;
+            let contact = prepare_on_grid(scene, interrupt, |grid| Ok(ContactState::new(grid)))?;
             let solution = contact.solve()?;
             observer(&solution);
             if solution.report.status == Status::Converged {
@@ -219,20 +214,4 @@ fn relative_error(coarsest: Option<f64>, middle: f64, finest: f64) -> f64 {
         }
     };
     SAFETY * error / finest.abs()
-}
-
-/// The state of a coarser mesh as a start on `grid`.
-fn prolonged(coarse: &ContactSolution, grid: &Grid) -> Result<ContactState, InputError> {
-    let mut state = ContactState::new(grid);
-    for (k, (x, y)) in grid.nodes().enumerate() {
-        let on_ring = k % grid.nx() == 0 || (k + 1) % grid.nx() == 0;
-        let on_side = grid.ny() > 1 && (k < grid.nx() || k + grid.nx() >= grid.len());
-        if on_ring || on_side {
-            continue;
-        }
-        state.pressure[k] = coarse.grid.interpolate(&coarse.state.pressure, x, y)?;
-        state.fluid_pressure[k] = coarse.grid.interpolate(&coarse.state.fluid_pressure, x, y)?;
-    }
-    state.approach = coarse.state.approach;
-    Ok(state)
 }

@@ -163,8 +163,9 @@ fn text(options: &Init, element: &Element) -> Result<String, Box<dyn Error>> {
     } else {
         format!(
             "{}\n[friction]\nboundary_coefficient = {boundary} # where solids touch\neyring_stress = \"5 MPa\" # shear stress above which the oil \
-             thins\n",
-            oil_tables(options, "ISO VG 68", *celsius)?
+             thins\n{}",
+            oil_tables(options, "ISO VG 68", *celsius)?,
+            answers::disc(options)?.map_or("", |disc| disc.fluid_limit())
         )
     };
     Ok(format!("{bodies}{oil}{bearing}\n[grid]\n{grid}"))

@@ -19,6 +19,8 @@ const DOWNSTREAM: f64 = 2.0;
 /// Cells along x of a line, and along each side of a point contact.
 const LINE_CELLS: u32 = 256;
 const POINT_CELLS: u32 = 96;
+/// Cells in the half-width of the narrowest contact; cycles warn of fewer.
+const NARROWEST: f64 = 10.0;
 
 /// Values of a list in lines.
 fn list(values: &[f64]) -> String {
@@ -70,7 +72,7 @@ pub(super) fn text(
 ) -> Result<String, Box<dyn Error>> {
     let (modulus, poisson) = STEEL;
     let equivalent = modulus / (1.0 - poisson * poisson);
-    let half_width = widest(machine, equivalent)?;
+    let [narrowest, half_width] = half_widths(machine, equivalent)?;
     let means = (0..machine.radii.len()).map(|k| 0.5 * (machine.speeds[0][k] + machine.speeds[1][k]).abs());
     let (fastest, speed) =
         means.enumerate().fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best });
@@ -100,28 +102,30 @@ pub(super) fn text(
     )?;
     writeln!(
         text,
-        "{}\n[friction]\nboundary_coefficient = 0.115 # where solids touch\neyring_stress = \"5 MPa\" # from which on the oil thins\n",
-        oil::tables(options, [&answers.eta0, &answers.alpha])
+        "{}\n[friction]\nboundary_coefficient = 0.115 # where solids touch\neyring_stress = \"5 MPa\" # from which on the oil thins\n{}",
+        oil::tables(options, [&answers.eta0, &answers.alpha]),
+        answers.disc.fluid_limit()
     )?;
     let shortest = UPSTREAM * half_width;
     let up = longest_inlet(&text, machine)?.max(shortest);
-    text.push_str(&grid(options, &answers.disc, machine, half_width, up)?);
+    text.push_str(&grid(options, &answers.disc, machine, [narrowest, half_width], up)?);
     text.push_str(&cycle(machine)?);
     Ok(text)
 }
 
-/// Half-width of the widest contact \[m\].
-fn widest(machine: &Machine, modulus: f64) -> Result<f64, InputError> {
-    let mut half_width = 0.0_f64;
+/// Half-widths of the narrowest and of the widest contact \[m\].
+fn half_widths(machine: &Machine, modulus: f64) -> Result<[f64; 2], InputError> {
+    let [mut narrowest, mut widest] = [f64::INFINITY, 0.0];
     for (radius, load) in machine.radii.iter().zip(&machine.loads) {
         let half = if machine.is_line {
             HertzLine::from_load(*radius, modulus, *load)?.half_width
         } else {
             HertzPoint::from_load(*radius, *radius, modulus, *load)?.half_width_x
         };
-        half_width = half_width.max(half);
+        narrowest = half.min(narrowest);
+        widest = half.max(widest);
     }
-    Ok(half_width)
+    Ok([narrowest, widest])
 }
 
 /// The table `[grid]` of a box that begins at `up` \[m\] before the contact, and the tables of a rough disc.
@@ -129,7 +133,7 @@ fn grid(
     options: &Options,
     disc: &Disc,
     machine: &Machine,
-    half_width: f64,
+    [narrowest, half_width]: [f64; 2],
     up: f64,
 ) -> Result<String, Box<dyn Error>> {
     let (mut text, shortest) = ("[grid]\n".to_owned(), UPSTREAM * half_width);
@@ -146,7 +150,8 @@ fn grid(
         let usual = if machine.is_line { LINE_CELLS } else { POINT_CELLS };
         // Cells of a longer box are not wider.
         let shortest = shortest + if machine.reverses { shortest } else { DOWNSTREAM * half_width };
-        let cells = 2 * (0.5 * (up + down) / shortest * f64::from(usual)).ceil() as u32;
+        let cell = (shortest / f64::from(usual)).min(narrowest / NARROWEST);
+        let cells = 2 * (0.5 * (up + down) / cell).ceil() as u32;
         [options.cells.unwrap_or(cells), options.cells.unwrap_or(POINT_CELLS)]
     };
     if machine.is_line && is_rough {
