@@ -344,8 +344,9 @@ fn check_of_a_cycle_has_its_steps_and_its_warnings() {
         &cam.replace("\nangle = [", &format!("\nbulk_temperature = [{}]\nangle = [", warm.join(", "))),
     );
     assert!(warnings.contains("cycle.bulk_temperature = 351"), "{warnings}");
-    let curve = ["curve", "usual.toml", "--points", "2", "--from", "3", "--to", "4"];
-    let output = common::command(&curve).current_dir(folder.path()).output().unwrap();
+    let (scene, out) = (folder.path().join("usual.toml"), folder.path().join("out"));
+    let output =
+        stribeck(&["curve", text(&scene), "--points", "2", "--from", "3", "--to", "4", "--out", text(&out)]);
     assert!(
         error_of(&output).contains("[cycle]: `stribeck curve` solves the contact of the scene"),
         "{output:?}"

@@ -15,9 +15,12 @@ const AIM: f64 = 0.3;
 pub(super) const BOX_SHARE: f64 = 0.5;
 /// Candidate upstream ends of the box, in half-widths.
 const INLETS: [f64; 6] = [2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
-/// Most nodes of the first finest mesh: cells for the accuracy of the minimum film of thin films between wide contacts are not needed
-/// for that of the central film, and the estimate asks for finer ones if they are.
+/// Most nodes of the first finest mesh: the cells are those of the minimum film, and where they are many the estimate of the central film
+/// tells whether it needs them.
 const FIRST_NODES: f64 = (1 << 18) as f64;
+/// Cells of the central film over those of the minimum film: its error is a sixth or less of the minimum film's between M = 20 and
+/// M = 3000.
+const CENTRAL_CELLS: f64 = 2.0;
 /// Downstream end of the box, in half-widths.
 const OUTLET: f64 = 1.5;
 /// Largest number of nodes.
@@ -61,9 +64,15 @@ impl Plan {
         let fits = |inlet: &f64| error(*inlet) <= BOX_SHARE * accuracy;
         let inlet = INLETS.into_iter().find(fits).unwrap_or(INLETS[INLETS.len() - 1]);
         let (outlet, side) = (OUTLET, side(inlet));
-        let nodes_by_cell = if scene.form.is_line() { 0.0 } else { (inlet + outlet) * 2.0 * side };
-        let cell = (AIM * accuracy * film / constant).sqrt().max((nodes_by_cell / FIRST_NODES).sqrt());
-        Ok(Self { inlet, outlet, side, cell: cell.min(0.1) })
+        let cell = (AIM * accuracy * film / constant).sqrt();
+        let needed = Self { inlet, outlet, side, cell: CENTRAL_CELLS * cell };
+        if scene.form.is_line() {
+            return Ok(Self { cell: cell.min(0.1), ..needed });
+        }
+        // An accuracy out of reach is refused before the first solve.
+        needed.cells(hertz, 0, false)?;
+        let first = ((inlet + outlet) * 2.0 * side / FIRST_NODES).sqrt();
+        Ok(Self { cell: cell.max(first).min(0.1), ..needed })
     }
 
     /// The plan for a layer on the disc. The half-width is between that of the substrate and that of the layer

@@ -107,7 +107,10 @@ impl MeshChoice {
             let by_box = solution.box_error;
             let mesh = (reached - by_box) / (accuracy - by_box.min(BOX_SHARE * accuracy));
             let finer = Plan { cell: plan.cell * (0.8 / mesh).sqrt().clamp(0.5, 0.9), ..plan };
-            let affordable = finer.cells(&hertz, 0, scene.form.is_line()).is_ok();
+            let affordable = finer.cells(&hertz, 0, scene.form.is_line()).is_ok_and(|grid| {
+                let finer = Scene { grid, ..scene.clone() };
+                finer.grid().and_then(|grid| setup::validate_memory(&grid, finer.is_lubricated())).is_ok()
+            });
             if reached <= accuracy || round == ROUNDS || !affordable {
                 solution.report.work = work.on(&solution.grid);
                 solution.error_estimate = estimate;
