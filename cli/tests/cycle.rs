@@ -337,7 +337,7 @@ fn check_of_a_cycle_has_its_steps_and_its_warnings() {
     assert!(warnings.contains("cycle.steps = 100") && warnings.contains("at least 1944 steps"), "{warnings}");
     // A period in another unit.
     let (_, warnings) = told("long.toml", &cam.replace("period = 6.0000000000000005e-2", "period = 60.0"));
-    assert!(warnings.contains("check the unit of the times, 60.00 s"), "{warnings}");
+    assert!(warnings.contains("check the unit of the times, 60.000 s a cycle"), "{warnings}");
     let warm: Vec<String> = (0..72).map(|row| format!("{}.0", 350 + row % 2)).collect();
     let (_, warnings) = told(
         "warm.toml",

@@ -47,9 +47,9 @@ pub(super) fn skipped_motion(scene: &Scene, table: &CycleTable) -> Result<Option
         "cycle.steps",
         steps,
         format!(
-            "{:.2} half-widths of entrained film pass the contact in a step of {}: changes of the motion within a step are left out",
+            "{:.2} half-widths of entrained film pass the contact in a step of {:.4e} s: changes of the motion within a step are left out",
             LONGEST_WAY * needed / steps,
-            by_size(table.span()[1] / steps, "s")
+            table.span()[1] / steps
         ),
         remedy,
     )))
