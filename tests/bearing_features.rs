@@ -324,3 +324,20 @@ fn bearings_with_a_film_that_is_not_laminar_warn() {
     let oil = "grade = \"ISO VG 32\"\nviscosity_index = 95\nalpha = 0\n";
     assert_eq!(warnings(&journal(20.0), oil), Vec::<String>::new());
 }
+
+/// `lubricant.temperature` is that of `alpha`; beside an isoviscous oil it is meant as that of the contact.
+#[test]
+fn temperature_of_an_isoviscous_oil_is_refused() {
+    let text = "[given_film]\nkind = \"journal\"\ndiameter = \"60 mm\"\nwidth = \"30 mm\"\nclearance = \"60 um\"\nspeed = \"3000 rpm\"\n\
+                load = \"2 kN\"\nnx = 60\nny = 12\n[lubricant]\ngrade = \"ISO VG 32\"\nviscosity_index = 95\nalpha = 0\n\
+                temperature = \"60 degC\"\n";
+    let bearing = RigidBearing::from_toml(text);
+    let error = bearing
+        .map_err(|error| error.to_string())
+        .and_then(|bearing| bearing.solve(|| false).map(|_| ()).map_err(|error| error.to_string()));
+    let error = error.unwrap_err();
+    assert!(
+        error.starts_with("lubricant.temperature = 333.15") && error.contains("thermal.bulk_temperature"),
+        "{error}"
+    );
+}

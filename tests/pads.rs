@@ -16,8 +16,8 @@ fn oil() -> Lubricant {
 }
 
 fn solve_with(table: &str, lubricant: &str) -> Result<BearingNumbers, String> {
-    let scene =
-        format!("[given_film]\nlength = {LENGTH}\nspeed = {SPEED}\n{table}\n[lubricant]\n{lubricant}\n");
+    let length = if table.contains("length") { String::new() } else { format!("length = {LENGTH}\n") };
+    let scene = format!("[given_film]\n{length}speed = {SPEED}\n{table}\n[lubricant]\n{lubricant}\n");
     let bearing = RigidBearing::from_toml(&scene).map_err(|error| error.to_string())?;
     let solution = bearing.solve(|| false).map_err(|error| error.to_string())?;
     solution.film.report.require_converged().map_err(|error| error.to_string())?;
@@ -109,6 +109,10 @@ fn loads_that_no_film_carries_are_refused_with_a_remedy() {
         ),
         ("kind = \"pad\"\ninlet_film = 1e-5\noutlet_film = 1e-5\nperiodic = true", ["periodic", "width"]),
         ("kind = \"pad\"\ninlet_film = 1e-5", ["outlet_film", "`load`"]),
+        (
+            "kind = \"pad\"\nlength = 1e-3\ninlet_film = 2e-3\noutlet_film = 1e-3",
+            ["given_film.inlet_film = 0.002", "below the length of the pad"],
+        ),
     ] {
         let error = solve(table).unwrap_err();
         assert!(parts.iter().all(|part| error.contains(part)), "{table}: {error}");

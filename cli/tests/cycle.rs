@@ -344,6 +344,7 @@ fn check_of_a_cycle_has_its_steps_and_its_warnings() {
         &cam.replace("\nangle = [", &format!("\nbulk_temperature = [{}]\nangle = [", warm.join(", "))),
     );
     assert!(warnings.contains("cycle.bulk_temperature = 351"), "{warnings}");
+    assert!(warnings.contains("brings full oil from its edge"), "{warnings}");
     let (scene, out) = (folder.path().join("usual.toml"), folder.path().join("out"));
     let output =
         stribeck(&["curve", text(&scene), "--points", "2", "--from", "3", "--to", "4", "--out", text(&out)]);

@@ -127,7 +127,12 @@ fn finish(
     }
     let numbers = solution.to_json();
     if let Some(path) = &options.report.report {
-        page::write(options, (solution, squeeze), (&numbers, kind), path)?;
+        page::write(
+            options,
+            (solution, squeeze),
+            (&numbers, kind),
+            (&extremes(solution, kind.is_line), path),
+        )?;
         written.push(path.clone());
     }
     if options.output.json {

@@ -16,7 +16,7 @@ use stribeck::Status;
 
 pub(crate) use self::bearing_numbers::bearing;
 pub(crate) use self::fields::Fields;
-pub(crate) use self::numbers::{ErrorOf, Number, all, contact, list, rows};
+pub(crate) use self::numbers::{ErrorOf, Number, all, contact, lines, list, rows};
 use crate::picture::{self, Chart, Maps, Scale};
 use crate::{files, output};
 

@@ -164,6 +164,19 @@ pub(crate) fn list(json: &Value, numbers: &[Number<'_>]) -> String {
     format!("<table class=\"list\"><tbody>{}</tbody></table>\n", rows.collect::<String>())
 }
 
+/// Width of the names of printed lines.
+const NAME: usize = 11;
+
+/// Printed lines of a name and a text.
+pub(crate) fn lines(lines: &[String]) -> String {
+    let rows = lines.iter().filter_map(|line| {
+        let (name, text) = line.split_at_checked(NAME)?;
+        let [name, text] = [name, text].map(|part| escape(part.trim()));
+        Some(format!("<tr><th>{name}</th><td>{text}</td></tr>"))
+    });
+    format!("<table class=\"list\"><tbody>{}</tbody></table>\n", rows.collect::<String>())
+}
+
 /// A row for each entry of the array `array` of `json`, at most `most` of them, evenly spread.
 pub(crate) fn rows(json: &Value, array: &str, columns: &[Number<'_>], most: usize) -> String {
     let entries = json[array].as_array().map_or(0, Vec::len);
@@ -184,8 +197,11 @@ pub(crate) fn rows(json: &Value, array: &str, columns: &[Number<'_>], most: usiz
         });
         format!("<tr>{}</tr>", cells.collect::<String>())
     });
-    let note =
-        if every > 1 { format!("<p>One of {every} rows of the table (csv).</p>") } else { String::new() };
+    let note = if every > 1 {
+        format!("<p>One of {every} rows; the table (csv) has all.</p>")
+    } else {
+        String::new()
+    };
     format!(
         "<div class=\"tables\"><table class=\"rows\"><thead><tr>{head}</tr></thead><tbody>{}</tbody></table>{note}</div>\n",
         body.collect::<String>()

@@ -15,6 +15,7 @@ mod passages;
 mod point;
 mod skipped;
 mod temperature;
+mod wake;
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -131,6 +132,7 @@ impl SimBuilder {
         let mut warnings: Vec<Warning> = estimate.into_iter().collect();
         if self.scene.motion.roughness.is_at_rest() {
             warnings.extend(skipped::skipped_motion(&self.scene, &table)?);
+            warnings.extend(wake::left_the_box(&grid, &table));
             self.motion = Some(std::sync::Arc::new(Fixed));
             self.squeeze = !table.quasi_static;
         }

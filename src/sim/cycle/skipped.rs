@@ -17,14 +17,14 @@ fn needed_steps(scene: &Scene, table: &CycleTable) -> Result<f64, InputError> {
     let rows = table.rows.iter().zip(half_widths(scene, table)?);
     let fastest =
         rows.fold(0.0_f64, |most, (row, half_width)| most.max(row.entrainment().abs() / half_width));
-    Ok((table.span()[1] * fastest / LONGEST_WAY).ceil())
+    Ok(table.span()[1] * fastest / LONGEST_WAY)
 }
 
 /// Steps of the given number, else as many as the film needs, 400 to 4000.
 pub(super) fn steps(scene: &Scene, table: &CycleTable) -> Result<usize, InputError> {
     match table.steps {
         Some(steps) => Ok(steps),
-        None => Ok(needed_steps(scene, table)?.clamp(USUAL_STEPS[0], USUAL_STEPS[1]) as usize),
+        None => Ok(needed_steps(scene, table)?.ceil().clamp(USUAL_STEPS[0], USUAL_STEPS[1]) as usize),
     }
 }
 
@@ -34,14 +34,14 @@ pub(super) fn skipped_motion(scene: &Scene, table: &CycleTable) -> Result<Option
     if table.quasi_static || needed <= steps {
         return Ok(None);
     }
+    let more = format!("at least {} steps", needed.ceil());
     let remedy = if needed > USUAL_STEPS[1] {
+        let cycle = by_size(table.span()[1], "s");
         format!(
-            "at least {needed} steps; quasi_static = true solves the rows without squeeze and prints its size; check the unit of the times, {} a \
-             cycle",
-            by_size(table.span()[1], "s")
+            "{more}; quasi_static = true solves the rows without squeeze and prints its size; check the unit of the times, {cycle} a cycle"
         )
     } else {
-        format!("at least {needed} steps")
+        more
     };
     Ok(Some(Warning::new(
         "cycle.steps",

@@ -48,6 +48,14 @@ impl Pad<'_> {
                 InputError::require_positive("given_film.inlet_film", inlet)?;
                 InputError::require_positive("given_film.outlet_film", outlet)?;
                 reject_film_units([inlet, outlet])?;
+                let deepest = if inlet > outlet { "given_film.inlet_film" } else { "given_film.outlet_film" };
+                let requirement = "below the length of the pad: the film of Reynolds' equation is thin";
+                InputError::require(
+                    inlet.max(outlet) < self.length,
+                    deepest,
+                    inlet.max(outlet),
+                    requirement,
+                )?;
                 self.solve([inlet, outlet])
             }
             PadFilm::Fixed { load, taper } => equilibrium::fixed(self, load, taper),

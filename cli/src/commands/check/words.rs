@@ -87,7 +87,8 @@ impl Expected {
                 map.regime, map.viscosity_parameter, map.elasticity_parameter, moes.m, moes.l
             ),
             format!(
-                "film       {} in the middle by the formula of {}, smooth and flooded{supplied}{lambda}",
+                "film       {} in the middle by the formula of {} over the relative density of the oil, smooth and \
+                 flooded{supplied}{lambda}",
                 by_size(film.central, "m"),
                 film.formula
             ),

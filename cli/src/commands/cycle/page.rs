@@ -28,12 +28,12 @@ const COLUMNS: [(&str, &str, &str, f64); 12] = [
     ("flash", "flash_rise", "K", 1.0),
 ];
 
-/// Writes the report of `solution` to the file `path`.
+/// Writes the report of `solution` with the lines of its `extremes` to the file `path`.
 pub(super) fn write(
     options: &Options,
     (solution, squeeze): (&Solved, Option<String>),
     (numbers, kind): (&Value, Kind),
-    path: &Path,
+    (extremes, path): (&[String], &Path),
 ) -> Result<(), Box<dyn Error>> {
     let mut report = Report::new(&options.scene, "cycle", Status::Converged)?;
     report.warn(solution.warnings.iter().map(ToString::to_string).chain(squeeze));
@@ -56,6 +56,7 @@ pub(super) fn write(
             if key.ends_with("pressure") || key == "pressure_max" { 1.0 / pressure.1 } else { factor };
         Number { name, key, unit, factor, offset: 0.0, error: ErrorOf::None }
     });
+    report.table(&report::lines(extremes));
     report.table(&report::rows(numbers, "points", &columns, LINES));
     report.chart(&chart(&output::stem(&options.scene), solution, kind))?;
     report.write(path)

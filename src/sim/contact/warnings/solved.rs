@@ -269,6 +269,6 @@ pub(in crate::sim) fn large_errors(estimate: &ErrorEstimate, rough: bool) -> Opt
         format!("error_estimate.{worst}"),
         error,
         format!("errors of the mesh above {LARGEST_ERROR}: {}", names.join(", ")),
-        "more cells, or solver.accuracy, which refines them".to_owned(),
+        "more cells: nx and ny, or solver.accuracy, which refines given cells".to_owned(),
     ))
 }
