@@ -214,6 +214,10 @@ fn passage_prints_means_and_writes_contacts_and_frames() {
         rows[1..].iter().filter(|row| row[0] == "1").map(|row| row[column].parse().unwrap()).collect();
     assert_eq!(films.len() as f64, number(&json, "contacts"));
     assert_eq!((rows.len() - 1 - films.len()) as f64, number(&json, "start_up"));
+    // Without a terminal lines tell how far the passage is.
+    let all = rows.len() - 1;
+    let line = format!("passage: {} of {all} contacts", 5 * all.div_ceil(10));
+    assert!(error_of(&output).contains(&line), "{}", error_of(&output));
     let mean = films.iter().sum::<f64>() / films.len() as f64;
     assert!((number(&json["means"]["film_mean_central"], "mean") / mean - 1.0).abs() < 1e-12);
     for frame in ["ridges_frame_0000.npz", "ridges_frame_0001.npz", "ridges_frame_0002.npz"] {

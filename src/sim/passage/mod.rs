@@ -183,6 +183,14 @@ impl SimBuilder {
         Ok(self.begin_passage()?.run(observer)?.solution)
     }
 
+    /// Number of contacts that [`solve_passage`](Self::solve_passage) solves, with those of its start-up.
+    ///
+    /// # Errors
+    /// As [`solve_passage`](Self::solve_passage).
+    pub fn passage_contacts(self) -> Result<usize, SimError> {
+        Ok(self.begin_passage()?.contacts)
+    }
+
     /// The input errors of [`solve_passage`](Self::solve_passage) without solving; the warnings known by then.
     pub(in crate::sim) fn check_passage(self) -> Result<Vec<Warning>, SimError> {
         let mut ready = self.begin_passage()?;

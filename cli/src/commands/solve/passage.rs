@@ -43,8 +43,10 @@ pub(super) fn run(options: &Options, scene: Scene, start: Instant) -> Result<Out
     let name = output::stem(&options.scene);
     claim(options, &name)?;
     interrupt::listen("the passage ends after this contact and keeps those before it")?;
-    let bar = ProgressBar::new_spinner();
-    bar.set_style(ProgressStyle::with_template("{spinner} {pos} contacts, {elapsed}")?);
+    let contacts = MixedLubricationSim::builder(scene.clone()).passage_contacts();
+    let contacts = contacts.map_err(|error| output::in_scene(&options.scene, &error))?;
+    let bar = ProgressBar::new(contacts as u64);
+    bar.set_style(ProgressStyle::with_template("{wide_bar} {pos} of {len} contacts, {eta} left")?);
     let above = bar.clone();
     let builder = MixedLubricationSim::builder(scene).interrupt(move || {
         held.print(&above);
@@ -53,6 +55,12 @@ pub(super) fn run(options: &Options, scene: Scene, start: Instant) -> Result<Out
     let mut frames = Frames::new(options, &name);
     let solved = builder.solve_passage(&mut |sim: &MixedLubricationSim, _: &StepRecord| {
         bar.inc(1);
+        let done = bar.position() as usize;
+        // Without a terminal a line after each tenth of the contacts.
+        if bar.is_hidden() && done.is_multiple_of(contacts.div_ceil(10)) {
+            let passed = output::time(start.elapsed().as_secs_f64());
+            output::complain("passage", &format!("{done} of {contacts} contacts, {passed}"));
+        }
         frames.keep(sim);
         if interrupt::is_requested() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
