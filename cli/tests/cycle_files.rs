@@ -133,6 +133,22 @@ fn lifts_are_refused_by_line_and_have_units() {
         loads.split("radius = [").nth(1).unwrap().split(']').next().unwrap().to_owned()
     });
     assert_eq!(scenes[0], scenes[1]);
+    let written = |arguments: &[&str]| {
+        let output = stribeck(arguments);
+        assert!(output.status.success(), "{}", error_of(&output));
+        fs::read_to_string(&path).unwrap()
+    };
+    let units = arguments.iter().map(|word| match *word {
+        "1000" => "1000 rpm",
+        "30000" => "30 N/mm",
+        "0.12" => "120 g",
+        word => word,
+    });
+    let units: Vec<&str> = units.collect();
+    assert_eq!(written(&arguments), written(&units));
+    let wrong: Vec<&str> =
+        arguments.iter().map(|word| if *word == "30000" { "30 kN" } else { word }).collect();
+    assert_refused(&wrong, &["--spring-rate", "30 kN", "N/mm, N/m"]);
     // Of a least radius of about 6 mm digits to 0.01 mm at steps of 5 degrees leave 0.9 mm open, digits to 0.1 um 9 um.
     for (decimals, is_said) in [(2, true), (4, false)] {
         let rows: String = (0..72).map(|k| format!("{} {:.decimals$}\n", entry(k).0, entry(k).1)).collect();

@@ -18,6 +18,19 @@ use crate::output::{self, Outcome};
 /// Options of the oil, the roughness and the cells, which all machines take.
 const COMMON_OPTIONS: [&str; 5] = [OIL, "--roughness", "--length", "--finish", "--cells"];
 
+/// The number of `text`, with one of the `units` and its factor behind it or alone.
+fn with_unit(units: &[(&str, f64)], text: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let in_unit =
+        units.iter().find_map(|(unit, factor)| Some((text.strip_suffix(unit)?.trim_end(), *factor)));
+    let (digits, factor) = in_unit.unwrap_or((text, 1.0));
+    let wrong = || {
+        let names: Vec<&str> = units.iter().map(|(unit, _)| *unit).collect();
+        format!("a number is expected, alone or with its unit: {}", names.join(", "))
+    };
+    digits.parse::<f64>().map(|value| factor * value).map_err(|_| wrong())
+}
+
 /// Options of the machines.
 #[derive(clap::Args)]
 pub(super) struct Options {
@@ -43,10 +56,10 @@ pub(super) struct Options {
     #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     face_width: Option<String>,
     /// Torque of the pinion, N m
-    #[arg(long, allow_hyphen_values = true, value_name = "N m")]
+    #[arg(long, allow_hyphen_values = true, value_name = "N m", value_parser = |text: &str| with_unit(&[("N m", 1.0), ("Nm", 1.0)], text))]
     torque: Option<f64>,
     /// Rate of rotation of the pinion or the cam, revolutions per minute
-    #[arg(long, allow_hyphen_values = true, value_name = "RPM")]
+    #[arg(long, allow_hyphen_values = true, value_name = "RPM", value_parser = |text: &str| with_unit(&[("rpm", 1.0)], text))]
     rotation: Option<f64>,
     /// Load of a pair of teeth where two pairs are in mesh: from a third to two thirds of the load, or half of it
     /// [default: trapezoid]
@@ -59,13 +72,13 @@ pub(super) struct Options {
     #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     base_circle: Option<String>,
     /// Rate of the spring of the follower, N/m
-    #[arg(long, allow_hyphen_values = true, value_name = "N/m")]
+    #[arg(long, allow_hyphen_values = true, value_name = "N/m", value_parser = |text: &str| with_unit(&[("N/mm", 1e3), ("N/m", 1.0)], text))]
     spring_rate: Option<f64>,
     /// Force of the spring without lift
     #[arg(long, allow_hyphen_values = true, value_name = "FORCE")]
     preload: Option<String>,
     /// Mass that moves with the follower, kg
-    #[arg(long, allow_hyphen_values = true, value_name = "kg")]
+    #[arg(long, allow_hyphen_values = true, value_name = "kg", value_parser = |text: &str| with_unit(&[("kg", 1.0), ("g", 1e-3)], text))]
     mass: Option<f64>,
     /// Ball of --radius under --load on a disc that reciprocates
     #[arg(long, requires_all = ["stroke", "frequency"])]
@@ -74,7 +87,7 @@ pub(super) struct Options {
     #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     stroke: Option<String>,
     /// Frequency of the strokes, Hz
-    #[arg(long, allow_hyphen_values = true, value_name = "Hz")]
+    #[arg(long, allow_hyphen_values = true, value_name = "Hz", value_parser = |text: &str| with_unit(&[("Hz", 1.0)], text))]
     frequency: Option<f64>,
 }
 
