@@ -63,16 +63,25 @@ impl Plan {
         let error = |inlet: f64| scale.box_error(inlet * half_x, side(inlet) * half_y).of_solve();
         let fits = |inlet: &f64| error(*inlet) <= BOX_SHARE * accuracy;
         let inlet = INLETS.into_iter().find(fits).unwrap_or(INLETS[INLETS.len() - 1]);
-        let (outlet, side) = (OUTLET, side(inlet));
-        let cell = (AIM * accuracy * film / constant).sqrt();
-        let needed = Self { inlet, outlet, side, cell: CENTRAL_CELLS * cell };
-        if scene.form.is_line() {
-            return Ok(Self { cell: cell.min(0.1), ..needed });
+        Ok(Self {
+            inlet,
+            outlet: OUTLET,
+            side: side(inlet),
+            cell: (AIM * accuracy * film / constant).sqrt().min(0.1),
+        })
+    }
+
+    /// The plan of the first meshes of a smooth film.
+    ///
+    /// # Errors
+    /// An accuracy out of reach.
+    pub(super) fn first(self, scene: &Scene, hertz: &HertzContact) -> Result<Self, InputError> {
+        if scene.form.is_line() || !scene.is_lubricated() {
+            return Ok(self);
         }
-        // An accuracy out of reach is refused before the first solve.
-        needed.cells(hertz, 0, false)?;
-        let first = ((inlet + outlet) * 2.0 * side / FIRST_NODES).sqrt();
-        Ok(Self { cell: cell.max(first).min(0.1), ..needed })
+        Self { cell: CENTRAL_CELLS * self.cell, ..self }.cells(hertz, 0, false)?;
+        let least = ((self.inlet + self.outlet) * 2.0 * self.side / FIRST_NODES).sqrt();
+        Ok(Self { cell: self.cell.max(least), ..self })
     }
 
     /// The plan for a layer on the disc. The half-width is between that of the substrate and that of the layer

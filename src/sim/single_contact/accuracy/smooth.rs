@@ -63,7 +63,8 @@ pub(in crate::sim) struct MeshChoice {
 pub(super) fn finest(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
-    Ok(Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?.cells(&hertz, 0, scene.form.is_line())?)
+    let plan = Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?.first(scene, &hertz)?;
+    Ok(plan.cells(&hertz, 0, scene.form.is_line())?)
 }
 
 impl MeshChoice {
@@ -71,7 +72,7 @@ impl MeshChoice {
     pub(super) fn new(scene: &Scene, accuracy: f64, interrupt: Option<&Interrupt>) -> Result<Self, SimError> {
         setup::validate(scene)?;
         let hertz = scene.hertz()?;
-        let plan = Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?;
+        let plan = Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?.first(scene, &hertz)?;
         let temperature = scene.conditions(0.0)?.bulk_temperature;
         let exponent =
             oil::viscosity(scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.pressure);
