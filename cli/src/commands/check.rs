@@ -98,9 +98,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let mut expected = Expected::of(&scene, &options.scene).map_err(named)?;
     let rows = cycle::Rows::of(&scene, &options.scene).map_err(named)?;
     if let Some(rows) = &rows {
-        let is_new = |warning: &&Warning| expected.warnings.iter().all(|known| known.field != warning.field);
-        let of_cycle: Vec<Warning> = rows.warnings().iter().filter(is_new).cloned().collect();
-        expected.warnings.extend(of_cycle);
+        expected.warnings = joined(expected.warnings, rows.warnings());
     }
     let mut numbers = expected.to_json()?;
     output::warn(&expected.warnings);
@@ -113,6 +111,13 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         output::print(&expected.to_text(rows.as_ref()))?;
     }
     Ok(Outcome::Converged)
+}
+
+/// The warnings `known`, and those of `found` whose fields they do not name.
+fn joined(known: Vec<Warning>, found: &[Warning]) -> Vec<Warning> {
+    let is_new = |warning: &&Warning| known.iter().all(|known| known.field != warning.field);
+    let new: Vec<Warning> = found.iter().filter(is_new).cloned().collect();
+    [known, new].concat()
 }
 
 impl Expected {
@@ -138,9 +143,7 @@ impl Expected {
         }
         let sim = MixedLubricationSim::builder(on_grid).build()?;
         let expected = sim.expected_warnings()?;
-        let is_new = |warning: &Warning| warnings.iter().all(|known: &Warning| known.field != warning.field);
-        let expected: Vec<Warning> = expected.into_iter().filter(is_new).collect();
-        let warnings = [warnings, expected].concat();
+        let warnings = joined(warnings, &expected);
         Ok(Self {
             refusals,
             parts: parts(scene, &sim)?,

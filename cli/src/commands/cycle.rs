@@ -190,7 +190,7 @@ fn report(solution: &Solved, kind: Kind) -> String {
     };
     let (unit, pascals) = pressure_unit(points);
     let mut lines = vec![format!("cycle      {} contacts, {step}", points.len())];
-    lines.extend(extremes(solution, is_line));
+    lines.extend(extremes(solution, is_line).iter().map(|(name, text)| format!("{name:<10} {text}")));
     lines.extend(history::table(&solution.cycles, is_line));
     lines.push(format!(
         "\n{:>12} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}",
@@ -210,8 +210,8 @@ fn report(solution: &Solved, kind: Kind) -> String {
     lines.join("\n")
 }
 
-/// The extremes of the cycle, in lines.
-fn extremes(solution: &Solved, is_line: bool) -> Vec<String> {
+/// Names and texts of the extremes of the cycle.
+fn extremes(solution: &Solved, is_line: bool) -> Vec<(&'static str, String)> {
     let points = &solution.points;
     let mut lines = Vec::new();
     let extreme = |value: fn(&CyclePoint) -> f64, sign: f64| {
@@ -219,38 +219,40 @@ fn extremes(solution: &Solved, is_line: bool) -> Vec<String> {
     };
     let per = if is_line { "W/m" } else { "W" };
     if let Some(point) = extreme(|p| p.film_minimum, -1.0) {
-        lines.push(format!("least film {:.2} nm at {}", 1e9 * point.film_minimum, place(point)));
+        lines.push(("least film", format!("{:.2} nm at {}", 1e9 * point.film_minimum, place(point))));
     }
     if let Some(point) = extreme(|p| p.pressure_max, 1.0) {
-        lines.push(format!("pressure   {} at {}", by_size(point.pressure_max, "Pa"), place(point)));
+        lines.push(("pressure", format!("{} at {}", by_size(point.pressure_max, "Pa"), place(point))));
     }
     if let Some(point) = extreme(|p| p.contact_load_ratio, 1.0).filter(|p| p.contact_load_ratio > 0.0) {
-        lines.push(format!(
-            "on solids  up to {:.4} of the load, at {}",
-            point.contact_load_ratio,
-            place(point)
+        lines.push((
+            "on solids",
+            format!("up to {:.4} of the load, at {}", point.contact_load_ratio, place(point)),
         ));
     }
     let mean = mean_power(points);
     if let Some(point) = extreme(|p| p.friction_power, 1.0) {
         let power = point.friction_power;
-        lines.push(format!(
-            "power      {} {per} at {}, {} {per} in the mean of the contacts",
-            output::digits(power),
-            place(point),
-            output::digits(mean)
+        lines.push((
+            "power",
+            format!(
+                "{} {per} at {}, {} {per} in the mean of the contacts",
+                output::digits(power),
+                place(point),
+                output::digits(mean)
+            ),
         ));
     }
     if let Some(point) = extreme(|p| p.flash_rise.unwrap_or(0.0), 1.0)
         && let Some(rise) = point.flash_rise
     {
-        lines.push(format!("flash      {rise:.1} K at {}", place(point)));
+        lines.push(("flash", format!("{rise:.1} K at {}", place(point))));
     }
     if let Some(point) = largest_squeeze(solution) {
         let ratio = point.squeeze_ratio.unwrap_or(0.0);
         let dead = points.iter().find(|point| point.squeeze_ratio.is_none());
         let dead = dead.map_or_else(String::new, |point| format!("; dead point at {}", place(point)));
-        lines.push(format!("squeeze    {ratio:.3} of the entrainment at {}{dead}", place(point)));
+        lines.push(("squeeze", format!("{ratio:.3} of the entrainment at {}{dead}", place(point))));
     }
     lines
 }

@@ -164,16 +164,12 @@ pub(crate) fn list(json: &Value, numbers: &[Number<'_>]) -> String {
     format!("<table class=\"list\"><tbody>{}</tbody></table>\n", rows.collect::<String>())
 }
 
-/// Width of the names of printed lines.
-const NAME: usize = 11;
-
-/// Printed lines of a name and a text.
-pub(crate) fn lines(lines: &[String]) -> String {
-    let rows = lines.iter().filter_map(|line| {
-        let (name, text) = line.split_at_checked(NAME)?;
-        let [name, text] = [name, text].map(|part| escape(part.trim()));
-        Some(format!("<tr><th>{name}</th><td>{text}</td></tr>"))
-    });
+/// Lines of a name and a text.
+pub(crate) fn lines(lines: &[(&str, String)]) -> String {
+    let row = |(name, text): &(&str, String)| {
+        format!("<tr><th>{}</th><td>{}</td></tr>", escape(name), escape(text))
+    };
+    let rows = lines.iter().map(row);
     format!("<table class=\"list\"><tbody>{}</tbody></table>\n", rows.collect::<String>())
 }
 

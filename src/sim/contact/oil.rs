@@ -55,11 +55,7 @@ pub(in crate::sim) fn viscosity_law(
 fn data_sheet_law(spec: &LubricantSpec, oil: &OilSpec, temperature: f64) -> Result<Oil, InputError> {
     let pressure = match (spec.alpha, spec.temperature) {
         (None, None) => PressureViscosity::Correlation(oil.base_oil),
-        (Some(alpha), at) if alpha != 0.0 || at.is_none() => {
-            PressureViscosity::Measured { alpha, temperature: at.unwrap_or(temperature) }
-        }
-        (_, at) => {
-            let at = at.unwrap_or(temperature);
+        (None | Some(0.0), Some(at)) => {
             return Err(InputError::Conflict {
                 field: format!("lubricant.temperature = {at}"),
                 reason: "is the temperature of lubricant.alpha, which is missing or 0; the temperature of the contact is \
@@ -67,6 +63,7 @@ fn data_sheet_law(spec: &LubricantSpec, oil: &OilSpec, temperature: f64) -> Resu
                     .to_owned(),
             });
         }
+        (Some(alpha), at) => PressureViscosity::Measured { alpha, temperature: at.unwrap_or(temperature) },
     };
     Oil::new(oil.walther()?, oil.density_at_15(), pressure, temperature)
 }

@@ -183,19 +183,15 @@ impl SimBuilder {
         Ok(self.begin_passage()?.run(observer)?.solution)
     }
 
-    /// Number of contacts that [`solve_passage`](Self::solve_passage) solves, with those of its start-up.
+    /// The warnings of [`solve_passage`](Self::solve_passage) that are known before its first contact, and the number of its
+    /// contacts with those of the start-up.
     ///
     /// # Errors
-    /// As [`solve_passage`](Self::solve_passage).
-    pub fn passage_contacts(self) -> Result<usize, SimError> {
-        Ok(self.begin_passage()?.contacts)
-    }
-
-    /// The input errors of [`solve_passage`](Self::solve_passage) without solving; the warnings known by then.
-    pub(in crate::sim) fn check_passage(self) -> Result<Vec<Warning>, SimError> {
+    /// The input errors of [`solve_passage`](Self::solve_passage).
+    pub fn check_passage(self) -> Result<(Vec<Warning>, usize), SimError> {
         let mut ready = self.begin_passage()?;
         ready.sim.check_first_contact()?;
-        Ok(ready.sim.warnings().to_vec())
+        Ok((ready.sim.warnings().to_vec(), ready.contacts))
     }
 
     /// The simulation of the passage, and its steps.

@@ -102,7 +102,7 @@ impl SimBuilder {
     /// ```
     pub fn check_contact(self) -> Result<Vec<Warning>, SimError> {
         if !self.scene.motion.roughness.is_at_rest() {
-            return self.check_passage();
+            return Ok(self.check_passage()?.0);
         }
         Ok(match self.begin()? {
             ReadySolve::Mesh(contact) => contact.warnings,

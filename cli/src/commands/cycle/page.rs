@@ -28,12 +28,12 @@ const COLUMNS: [(&str, &str, &str, f64); 12] = [
     ("flash", "flash_rise", "K", 1.0),
 ];
 
-/// Writes the report of `solution` with the lines of its `extremes` to the file `path`.
+/// Writes the report of `solution` with its `extremes` to the file `path`.
 pub(super) fn write(
     options: &Options,
     (solution, squeeze): (&Solved, Option<String>),
     (numbers, kind): (&Value, Kind),
-    (extremes, path): (&[String], &Path),
+    (extremes, path): (&[(&str, String)], &Path),
 ) -> Result<(), Box<dyn Error>> {
     let mut report = Report::new(&options.scene, "cycle", Status::Converged)?;
     report.warn(solution.warnings.iter().map(ToString::to_string).chain(squeeze));

@@ -37,14 +37,12 @@ pub(super) fn run(options: &Options, scene: Scene, start: Instant) -> Result<Out
     if options.fields.is_some() {
         return Err("--fields: a passage has many contacts; --frames writes some of them".into());
     }
-    let (held, known) = (Held::default(), MixedLubricationSim::builder(scene.clone()).check_contact());
-    let known = known.map_err(|error| output::in_scene(&options.scene, &error))?;
+    let (held, checked) = (Held::default(), MixedLubricationSim::builder(scene.clone()).check_passage());
+    let (known, contacts) = checked.map_err(|error| output::in_scene(&options.scene, &error))?;
     held.hold_warnings(&known);
     let name = output::stem(&options.scene);
     claim(options, &name)?;
     interrupt::listen("the passage ends after this contact and keeps those before it")?;
-    let contacts = MixedLubricationSim::builder(scene.clone()).passage_contacts();
-    let contacts = contacts.map_err(|error| output::in_scene(&options.scene, &error))?;
     let bar = ProgressBar::new(contacts as u64);
     bar.set_style(ProgressStyle::with_template("{wide_bar} {pos} of {len} contacts, {eta} left")?);
     let above = bar.clone();

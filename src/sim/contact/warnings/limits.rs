@@ -96,19 +96,19 @@ fn slope(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
         Some(pressure) if scene.schedule.load.is_none() => ("load.hertz_pressure", pressure),
         _ => ("load.force", hertz.force),
     };
-    let remedy = if let Some(osculation) = osculation(scene).filter(|_| conformal > LARGEST_CONFORMAL) {
-        let text = format!(
+    let remedy = match osculation(scene) {
+        _ if conformal <= LARGEST_CONFORMAL => "lower the load or check radius and modulus".to_owned(),
+        Some(osculation) => format!(
             "less load or a wider groove: its osculation, the radius of the groove over the diameter of the ball, is {}; of rolling bearings it is \
              0.51 to 0.54",
             short((1e4 * osculation).round() / 1e4)
-        );
-        return Some(Warning::new(field, value, message, text));
-    } else if conformal > LARGEST_CONFORMAL {
-        "less load or more clearance; [given_film] with kind = \"journal\" computes a journal in its bush"
-    } else {
-        "lower the load or check radius and modulus"
+        ),
+        None => {
+            "less load or more clearance; [given_film] with kind = \"journal\" computes a journal in its bush"
+                .to_owned()
+        }
     };
-    Some(Warning::new(field, value, message, remedy.to_owned()))
+    Some(Warning::new(field, value, message, remedy))
 }
 
 /// Radius of a groove over the diameter of the ball in it; `None` for bodies that are concave in both sections or in none.
